@@ -201,7 +201,9 @@ struct returns_number_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<returns_number, returns_number_mended>(
     {"component.bad_result", "a",
      "`a` (gives_number): `process` returns `double`, but it may return only ports (cca::out, cca::maybe), "
-     "a cca::fault, a cca::done and cca::switch_to<...>, one or several in a std::tuple, or void"}));
+     "a cca::fault, a cca::done, cca::switch_to<...>, cca::stops<...> and cca::starts<...>, one or several "
+     "in a "
+     "std::tuple, or void"}));
 
 struct gives_pair {
   auto process(cca::beat) -> std::pair<cca::out<"y", signal>, int> { return {}; }
@@ -212,8 +214,8 @@ struct returns_pair_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<returns_pair, returns_pair_mended>(
     {"component.bad_result", "a",
      "`a` (gives_pair): `process` returns `pair<out<y, signal>, int>`, but it may return only ports "
-     "(cca::out, cca::maybe), a cca::fault, a cca::done and cca::switch_to<...>, one or several in a "
-     "std::tuple, or void"}));
+     "(cca::out, cca::maybe), a cca::fault, a cca::done, cca::switch_to<...>, cca::stops<...> and "
+     "cca::starts<...>, one or several in a std::tuple, or void"}));
 
 struct gives_tuple {
   auto sense() -> std::tuple<cca::out<"y", signal>, bool> { return {}; }
@@ -224,7 +226,9 @@ struct returns_tuple_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<returns_tuple, returns_tuple_mended>(
     {"component.bad_result", "a",
      "`a` (gives_tuple): `sense` returns `bool`, but it may return only ports (cca::out, cca::maybe), a "
-     "cca::fault, a cca::done and cca::switch_to<...>, one or several in a std::tuple, or void"}));
+     "cca::fault, a cca::done, cca::switch_to<...>, cca::stops<...> and cca::starts<...>, one or several in "
+     "a "
+     "std::tuple, or void"}));
 
 struct starts_with_beat : source<> {
   void on_start(cca::beat) {}

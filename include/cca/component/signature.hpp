@@ -72,7 +72,7 @@ using bare_parameter =
                        std::remove_cvref_t<Type>>;
 
 // What a result of the function is.
-enum class result_kind : std::uint8_t { output, fault, mode_request, done, bad };
+enum class result_kind : std::uint8_t { output, fault, mode_request, part_request, done, bad };
 
 template <class Type>
 struct result_facts {
@@ -89,6 +89,18 @@ struct result_facts<switch_to<Mode>> {
   static constexpr auto kind = result_kind::mode_request;
   static constexpr port_info port{};
   static constexpr std::string_view mode = Mode.view();
+};
+template <fixed_string Part>
+struct result_facts<stops<Part>> {
+  static constexpr auto kind = result_kind::part_request;
+  static constexpr port_info port{};
+  static constexpr asked_part asked{Part.view(), false};
+};
+template <fixed_string Part>
+struct result_facts<starts<Part>> {
+  static constexpr auto kind = result_kind::part_request;
+  static constexpr port_info port{};
+  static constexpr asked_part asked{Part.view(), true};
 };
 template <>
 struct result_facts<done> {
@@ -157,6 +169,8 @@ struct function_info {
   bool may_fault = false, stops_itself = false;
   const std::string_view* requested_modes = nullptr;  // by cca::switch_to
   int requested_count = 0;
+  const asked_part* asked_parts = nullptr;  // by cca::stops and cca::starts
+  int asked_count = 0;
   std::string_view bad_parameter{}, bad_result{};  // names of types; empty if there is none
 };
 
@@ -216,11 +230,25 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     return found;
   }();
 
+  static constexpr int asked_count = ((result_facts<Results>::kind == result_kind::part_request) + ... + 0);
+  static constexpr auto asked_parts = [] {
+    std::array<asked_part, array_size(asked_count + 1)> found{};
+    [[maybe_unused]] std::size_t n = 0;
+    [[maybe_unused]] const auto add = [&]<class Result>(list<Result>) {
+      if constexpr (result_facts<Result>::kind == result_kind::part_request)
+        found[n++] = result_facts<Result>::asked;
+    };
+    (add(list<Results>{}), ...);
+    return found;
+  }();
+
   static constexpr function_info value = [] {
     function_info function{inputs.data(), outputs.data(), input_count, output_count};
     function.may_fault = ((result_facts<Results>::kind == result_kind::fault) || ...);
     function.requested_modes = requested_modes.data();
     function.requested_count = requested_count;
+    function.asked_parts = asked_parts.data();
+    function.asked_count = asked_count;
     function.stops_itself = ((result_facts<Results>::kind == result_kind::done) || ...);
     ((parameter_facts<Parameters>::kind == parameter_kind::bad && function.bad_parameter.empty()
           ? void(function.bad_parameter = type_name<Parameters>())

@@ -23,7 +23,7 @@
 //   first_dt_is_period      true if `dt()` is a whole period in the first firing too; else it is one beat
 //   fires_on_arrival        true if it fires only in beats in which a sample arrives
 //   needs_one_origin        true if its inputs must share an origin (strategy.coordination)
-//   is_stoppable            true if it asks `is_stopped()`: its component can be stopped on its own
+//   is_stoppable            true if its component can be stopped on its own
 //   parts                   detail::list of the strategies that it combines
 //
 // Cost: a strategy whose clock is known costs a test of the beat's index, or nothing. Example of one's own:
@@ -93,7 +93,7 @@ struct strategy_info {
   input_names named_inputs{};
   std::string_view mistake{};
   bool excludes_itself = false, for_resource_nodes = false, first_dt_is_period = false,
-       fires_on_arrival = false, needs_one_origin = false, is_stoppable = false;
+       fires_on_arrival = false, needs_one_origin = false, is_stoppable = false, is_default = false;
   const strategy_info* const* parts = nullptr;
   int part_count = 0;
 };
@@ -121,6 +121,7 @@ struct infos_of<list<Parts...>> {
 template <class Strategy>
 constexpr strategy_info make_strategy_info() {
   strategy_info s{.add_name = &add_strategy_name<Strategy>};
+  s.is_default = std::is_same_v<Strategy, by_default>;
   if constexpr (requires { Strategy::clock; }) s.alone = s.in_combination = Strategy::clock;
   if constexpr (requires { Strategy::clock_in_combination; })
     s.in_combination = Strategy::clock_in_combination;

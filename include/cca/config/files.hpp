@@ -1,5 +1,7 @@
 // What a controller's `load("trot.toml")` and `save("trot.toml")` do. A file has one table per component that
 // has parameters: `[cpg]`, `[dmp.ode]`. Values that the file does not mention do not change.
+// `load<"dmp">("dmp.toml")` and `save<"dmp">("dmp.toml")` do it for one component, or for those of an inner
+// graph; what else the file has is left alone.
 // Errors: `cca::refused`, one line per problem; then nothing has been changed.
 #pragma once
 
@@ -94,14 +96,24 @@ constexpr const schema& parameters_schema() {
   return schema_of<typename Component::parameters>;
 }
 
-// All or nothing: reads twice, the first time into copies.
+// Whether a component is at a path, or in the inner graph there. Without a path each one is.
+inline bool is_at_path(std::string_view component, std::string_view path) {
+  return path.empty() ||
+         (component.starts_with(path) && (component.size() == path.size() || component[path.size()] == '.'));
+}
+
+// All or nothing: reads twice, the first time into copies. `within`: the path of one node; empty: of all.
 template <class Controller>
-void load_parameters_from_text(Controller& controller, std::string_view text, std::string_view name) {
+void load_parameters_from_text(Controller& controller,
+                               std::string_view text,
+                               std::string_view name,
+                               std::string_view within = {}) {
   problems found(name);
   const toml::table root = parse(text, found);
   std::vector<std::string> paths;
   controller.for_each_component([&]<class Component>(std::string_view path, Component& component) {
     paths.emplace_back(path);
+    if (!is_at_path(path, within)) return;
     if constexpr (HasParameters<Component>) {
       auto copy = component.p;
       read_component(root, path, parameters_schema<Component>(), &copy, found);
@@ -119,25 +131,27 @@ void load_parameters_from_text(Controller& controller, std::string_view text, st
   found.refuse();
   controller.for_each_component([&]<class Component>(std::string_view path, Component& component) {
     if constexpr (HasParameters<Component>)
-      read_component(root, path, parameters_schema<Component>(), &component.p, found);
+      if (is_at_path(path, within))
+        read_component(root, path, parameters_schema<Component>(), &component.p, found);
   });
 }
 
 inline constexpr std::size_t most_bytes_of_parameters = std::size_t{1} << 24;
 
 template <class Controller>
-void load_parameters(Controller& controller, std::string_view file) {
-  load_parameters_from_text(controller, read_file(std::string(file), most_bytes_of_parameters), file);
+void load_parameters(Controller& controller, std::string_view file, std::string_view within = {}) {
+  load_parameters_from_text(controller, read_file(std::string(file), most_bytes_of_parameters), file, within);
 }
 
 // Refuses values that loading would refuse.
 template <class Controller>
-std::string parameters_text(Controller& controller, std::string_view name) {
+std::string parameters_text(Controller& controller, std::string_view name, std::string_view within = {}) {
   problems found(name);
   std::string text;
   controller.for_each_component([&]<class Component>(std::string_view path, Component& component) {
     using plain = std::remove_const_t<Component>;
     if constexpr (HasParameters<plain>) {
+      if (!is_at_path(path, within)) return;
       std::vector<complaint> complaints;
       check(parameters_schema<plain>(), &component.p, std::string(path), complaints);
       for (auto& each : complaints) found.add(nullptr, each.path, std::move(each.what));
@@ -149,16 +163,20 @@ std::string parameters_text(Controller& controller, std::string_view name) {
 }
 
 template <class Controller>
-void save_parameters(Controller& controller, std::string_view file) {
-  write_file(std::string(file), parameters_text(controller, file));
+void save_parameters(Controller& controller, std::string_view file, std::string_view within = {}) {
+  write_file(std::string(file), parameters_text(controller, file, within));
 }
 
 // A controller's load(file), save(file), and set and parameter with a path call these. The core only declares
 // the struct.
 template <class Controller>
 struct config_backend {
-  static void load(Controller& controller, std::string_view file) { load_parameters(controller, file); }
-  static void save(const Controller& controller, std::string_view file) { save_parameters(controller, file); }
+  static void load(Controller& controller, std::string_view file, std::string_view within = {}) {
+    load_parameters(controller, file, within);
+  }
+  static void save(const Controller& controller, std::string_view file, std::string_view within = {}) {
+    save_parameters(controller, file, within);
+  }
 
   template <class Value>
   static void set(Controller& controller, std::string_view path, const Value& value) {

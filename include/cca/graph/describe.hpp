@@ -134,6 +134,11 @@ private:
   // When a component fires: its clock as a rate, or its strategy.
   String when(int l) const {
     const auto& t = g.calls[g.nodes[l].first_call];
+    if (const auto& item = *g.nodes[l].item; item.is_stoppable()) {
+      detail::text stated;
+      item.strategy->add_name(stated);
+      return String(stated.view());
+    }
     if (g.hz > 0 && t.fires.known()) return hertz(g.hz / static_cast<double>(t.fires.period));
     detail::text name;
     strategy_of_call(g, t).add_name(name);

@@ -2,6 +2,7 @@
 // returns.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -63,6 +64,7 @@ struct component_call_of<Graph,
                          std::index_sequence<Number...>> {
   static constexpr const auto& c = call_of<Graph, Call>;
   static constexpr std::int64_t period = counts_of<Graph>.period;
+  static constexpr int part = part_of_call_at<Graph, Call>;
   using types = node_types<Graph, c.node>;
   using component = typename types::component;
   using result = typename function_called<Graph, Call>::result;
@@ -96,11 +98,17 @@ private:
   template <std::size_t I>
   static constexpr int output_of_result = function_ports<list<>, list<Results...>>::output_of_result[I];
 
-  // Settled at compile time if the clock is known; else its strategy is asked.
+  // Of a part only while that is started.
   CCA_INLINE firing fires() const {
-    if constexpr (c.fires.never()) {
+    if constexpr (part >= 0)
+      if (b.rests[array_size(part)]) return {};
+    return fires_while_started();
+  }
+  // Settled at compile time if the clock is known; else its strategy is asked.
+  CCA_INLINE firing fires_while_started() const {
+    if constexpr (c.own_clock.never()) {
       return {};
-    } else if constexpr (c.fires.dynamic()) {
+    } else if constexpr (c.own_clock.dynamic()) {
       last_firing& own = b.state.firings[at.firing];
       using strategy =
           typename strategy_or_default<typename types::strategy, (sizeof...(Position) > 0)>::type;
@@ -112,25 +120,40 @@ private:
       const std::int64_t last = own.last;
       const std::int64_t beats = beats_since<Graph, Call>(b.k, own);
       own.last = b.k;
-      if constexpr (is_stoppable<Graph, Call>) own.is_first = false;
+      if constexpr (part >= 0) own.is_first = false;
       return {true, beats, last};
     } else {
-      constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy;
-      constexpr bool is_period = c.fires.period == 1 || (strategy && strategy->first_dt_is_period);
-      const bool is_first = b.k == c.fires.first;
-      if constexpr (c.unsteady) {  // before the switch to this mode it fired at other beats, or not at all
-        constexpr bool is_constant = c.fires.period == 1 && !c.other_clocks;
-        const bool is_known = !is_first && b.k - c.fires.period >= b.state.since;
-        const std::int64_t last = is_known ? b.k - c.fires.period : b.state.firings[at.firing].last;
-        return {ticks<c.fires>(b.k),
-                !is_constant && last >= 0 ? b.k - last
-                : is_period               ? c.fires.period
-                                          : 1,
-                last};
+      constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy_while_started();
+      constexpr std::int64_t beats = c.own_clock.period;
+      constexpr bool is_period = beats == 1 || (strategy && strategy->first_dt_is_period);
+      const bool is_now = ticks<c.own_clock>(b.k);
+      if constexpr (c.unsteady || part >= 0) {
+        // Before the switch to this mode it fired at other beats, or not at all; and its part may have
+        // rested.
+        const std::int64_t last_known = b.k - beats;
+        const bool is_known = last_known >= known_since();
+        if constexpr (!c.unsteady) {
+          const std::int64_t since = b.state.parts[array_size(part)].since;
+          return {is_now, is_known || is_period ? beats : 1, is_known ? last_known : since - 1};
+        } else {
+          constexpr bool is_constant = beats == 1 && !c.other_clocks;
+          const last_firing& kept = b.state.firings[at.firing];
+          const std::int64_t last = is_known ? last_known : kept.last;
+          const bool has_fired = last >= 0 && (part < 0 || is_known || !kept.is_first);
+          return {is_now, !is_constant && has_fired ? b.k - last : is_period ? beats : 1, last};
+        }
+      } else {
+        const bool is_first = b.k == c.own_clock.first;
+        return {is_now, is_period || !is_first ? beats : 1, is_first ? -1 : b.k - beats};
       }
-      return {ticks<c.fires>(b.k), is_period || !is_first ? c.fires.period : 1,
-              is_first ? -1 : b.k - c.fires.period};
     }
+  }
+  // The first beat from which on its clock tells when it fired.
+  CCA_INLINE std::int64_t known_since() const {
+    std::int64_t since = c.own_clock.first;
+    if constexpr (part >= 0) since = std::max(since, b.state.parts[array_size(part)].since);
+    if constexpr (c.unsteady) since = std::max(since, b.state.since);
+    return since;
   }
 
   // The arguments are made in place: a function in between would copy them.

@@ -4,9 +4,7 @@
 //   component<Node>()              the component with this number
 //   is_here(node)                  whether this process runs it
 //   visit(f, self)                 f(number, component) for each, in declaration order
-//   visit_firings(node, f, self)   f(last_firing) for each call of it whose clock is known only at run time
 //   forget_runs()                  sets the counts of the runs to zero
-//   next_beat_of(node)             the next beat of the loop that runs it
 //
 // Threads: as of `Self`; period() and step_of() may be called by any thread at any time.
 #pragma once
@@ -20,13 +18,13 @@
 #include <cca/graph/diagnosis/unknown_path.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/parameters_by_path.hpp>
-#include <cca/runtime/stoppable_components.hpp>
+#include <cca/runtime/stoppable_parts.hpp>
 
 namespace cca::detail {
 
 template <class Self, class Graph>
-class component_host : public parameters_by_path<Self>, public stoppable_components<Self, Graph> {
-  friend stoppable_components<Self, Graph>;
+class component_host : public parameters_by_path<Self>, public stoppable_parts<Self, Graph> {
+  friend stoppable_parts<Self, Graph>;
 
 public:
   // Takes the parameters as they are: the defaults, or what has been set.
@@ -71,16 +69,49 @@ public:
     if (now == cca::state::loaded) save();
   }
 
-  using stoppable_components<Self, Graph>::start;  // one component
-  using stoppable_components<Self, Graph>::stop;
+  // One component alone, or those of an inner graph, at a path: reads their parameters from a file, writes
+  // them into one. What else the file has is left alone. The hooks on_load and on_save of those that are
+  // loaded and not started run: of all in the state `loaded`, else of those whose part is stopped. The state
+  // stays.
+  template <fixed_string Path>
+  void load(std::string_view file) {
+    static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
+    load(Path.view(), file);
+  }
+  template <fixed_string Path>
+  void save(std::string_view file) {
+    static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
+    save(Path.view(), file);
+  }
+  // The same by a path that is known only at run time.
+  void load(std::string_view path, std::string_view file) {
+    static_assert(HasConfig<Self>, "cca::controller: load(path, file) needs #include <cca/config.hpp>");
+    check_path(path, "load");
+    config_backend<Self>::load(self(), file, path);
+    tell_parameters(self());
+    visit_loaded(path, []<class C>(C& component) {
+      if constexpr (OnLoad<C>) component.on_load();
+    });
+    tell_parameters(self());
+  }
+  void save(std::string_view path, std::string_view file) {
+    static_assert(HasConfig<Self>, "cca::controller: save(path, file) needs #include <cca/config.hpp>");
+    if (now == cca::state::created) check(transition::save, "save(path, file)");
+    check_path(path, "save");
+    config_backend<Self>::save(self(), file, path);
+    visit_loaded(path, []<class C>(C& component) {
+      if constexpr (OnSave<C>) component.on_save();
+    });
+  }
 
-  // All components, also those that were stopped on their own.
+  using stoppable_parts<Self, Graph>::start;  // a part
+  using stoppable_parts<Self, Graph>::stop;
+
+  // All components, also those of parts that were stopped.
   void start() {
     move(transition::start, "start()");
     self().forget_runs();
-    visit([&](int node, auto&) {
-      if (this->is_stopped_node(node)) this->begin_anew(node);
-    });
+    this->start_parts();
     visit([]<class C>(int, C& component) {
       if constexpr (OnStart<C>) component.on_start();
     });
@@ -91,7 +122,7 @@ public:
     reason = {};
     visit([&]<class C>([[maybe_unused]] int node, C& component) {
       if constexpr (OnStop<C>)
-        if (!this->is_stopped_node(node)) component.on_stop();
+        if (!this->is_resting_node(node)) component.on_stop();
     });
   }
 
@@ -161,8 +192,14 @@ protected:
 
   // Of components of a controller none is elsewhere.
   void refuse_if_elsewhere(int) const {}
-  // Before one component is stopped or started: refused where it can't run now. Modes have such components.
-  void check_runs(const char*, int) const {}
+  // Before a part is stopped or started: refused where that can't be now. Modes and deployments have such
+  // parts.
+  void check_part(const char*, int) const {}
+  void tell_part([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
+    if constexpr (requires(Self& s) { s.recorded_into(); })
+      if (auto* const tap = self().recorded_into())
+        tap->part_changed(part, stops, false, self().beat_index());
+  }
   void check(transition what, const char* call) const {
     if (!is_legal(what, now))
       throw refused(std::string("cca::controller: ") + call + " is refused in the state `" +
@@ -189,6 +226,30 @@ private:
   Self& self() { return static_cast<Self&>(*this); }
   const Self& self() const { return static_cast<const Self&>(*this); }
 
+  // Refused: it leads to no node, or to one that another process runs.
+  void check_path(std::string_view path, const char* call) const {
+    bool found = false;
+    for (int node = 0; node < counts_of<Graph>.node_count; ++node)
+      if (is_node_at(node, path)) {
+        found = true;
+        self().refuse_if_elsewhere(node);
+      }
+    if (!found)
+      throw refused(std::string("cca::controller: ") + call + ": there is no node `" + std::string(path) +
+                    "`");
+  }
+  static bool is_node_at(int node, std::string_view path) {
+    const std::string own = path_of_node<Graph>(node);
+    return own == path || (own.starts_with(path) && own[path.size()] == '.');
+  }
+  // Those at a path that are loaded and not started.
+  template <class F>
+  void visit_loaded(std::string_view path, F f) {
+    if (now == cca::state::created) return;
+    visit([&](int node, auto& component) {
+      if ((now == cca::state::loaded || this->is_resting_node(node)) && is_node_at(node, path)) f(component);
+    });
+  }
   // Those that run in this process.
   template <class F>
   void visit(F f) {

@@ -67,7 +67,7 @@ private:
   friend detail::component_host<controller, Graph>;
   friend host;
   friend detail::live_components;
-  friend detail::stoppable_components<controller, Graph>;
+  friend detail::stoppable_parts<controller, Graph>;
 
   template <int Node>
   auto& component() {
@@ -82,8 +82,8 @@ private:
     detail::visit_components<Graph>(f, self.state_of_all);
   }
   template <class F, class Controller>
-  static void visit_firings(int node, F f, Controller& self) {
-    detail::visit_firings<Graph>(self.state_of_all, node, f);
+  static void for_each_part_state(int, F f, Controller& self) {
+    f.template operator()<Graph>(self.state_of_all, self.k);
   }
   static constexpr bool is_here(int) { return true; }
 
@@ -119,8 +119,21 @@ private:
     if constexpr (detail::counts_of<Graph>.may_fault)
       if (outcome.fault) {
         detail::repeat_outputs<Graph>(state_of_all, k - 1);
+        if constexpr (has_requests) detail::forget_requests(state_of_all);
         host::fail(outcome);
       }
+    if constexpr (has_requests)
+      if (state_of_all.is_asked) [[unlikely]]
+        take_requests();
+  }
+  static constexpr bool has_requests = detail::counts_of<Graph>.request_count > 0;
+  [[gnu::noinline]] void take_requests() noexcept {
+    detail::take_requests<Graph>(state_of_all, k,
+                                 [this]([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
+                                   if constexpr (detail::Recordable<Graph>)
+                                     if (auto* const tap = recorded_into())
+                                       tap->part_changed(part, stops, true, k);
+                                 });
   }
 
   using host::k;

@@ -86,11 +86,12 @@ struct input_reader {
   CCA_INLINE static std::int64_t arrived(const beat_context<Graph>& b, int index) {
     if constexpr (kind == storage_kind::none) {
       return -1;
+    } else if constexpr (in.known_now) {
+      return b.k;
     } else if constexpr (kind == storage_kind::of_beat) {
       return b.template at<array>(index).template arrived<element>(b.k);
     } else {
-      if constexpr (in.in_beat && published_of<Graph, in.writer>.known()) return b.k;
-      else return b.template at<array>(index).arrived(b.k, in.delay);
+      return b.template at<array>(index).arrived(b.k, in.delay);
     }
   }
 

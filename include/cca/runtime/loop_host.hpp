@@ -73,7 +73,6 @@ protected:
         track->moved(now);
       }
   }
-  std::int64_t next_beat_of(int) const { return k; }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
 
   using host::now, host::reason;

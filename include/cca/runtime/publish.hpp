@@ -1,7 +1,7 @@
 // What a component returned goes to its readers: it stays where it is for those of this beat, and is stored
 // for those of later beats and for queues, and sent to other environments.
 //
-// A fault, a request for another mode and `done` are results, too.
+// A fault, a request for another mode or to stop or start a part, and `done` are results, too.
 #pragma once
 
 #include <utility>
@@ -35,6 +35,23 @@ CCA_INLINE void put_into_queues(const beat_context<Graph>& b, const Vector& v, s
   if constexpr (next >= 0) put_into_queues<Graph, next>(b, v, origin);
 }
 
+// The part that a result of a call stops or starts.
+template <class Graph, int Call, class Returned>
+inline constexpr int asked_part_of = [] {
+  const call& c = call_of<Graph, Call>;
+  constexpr asked_part asked = result_facts<Returned>::asked;
+  for (int r = 0; r < c.function->asked_count; ++r)
+    if (c.function->asked_parts[r].path == asked.path && c.function->asked_parts[r].starts == asked.starts)
+      return plan_of<Graph>.requests[array_size(c.first_request + r)].part;
+  return -1;
+}();
+
+// The place of a call in the order of a beat; of an environment in that of the whole.
+template <class Graph, int Call>
+inline constexpr int place_in_beat = call_of<Graph, Call>.rank;
+template <class Graph, int Call>
+inline constexpr int place_in_beat<probed<Graph>, Call> = place_in_beat<Graph, Call>;
+
 // One thing that a component returned: an output goes to its readers. `Port` is its number among the outputs.
 template <class Graph, int Call, int Port, class Returned>
 CCA_INLINE void publish(const beat_context<Graph>& b,
@@ -47,8 +64,15 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
     if constexpr (requires { b.state.request(returned); })
       if (returned) b.state.request(returned);
   } else if constexpr (std::is_same_v<Returned, done>) {
-    if constexpr (is_stoppable<Graph, Call>)
-      if (returned) b.state.firings[at.firing].is_stopped = true;
+    constexpr int part = part_of_call_at<Graph, Call>;
+    if (returned) b.state.parts[array_size(part)].is_stopped = b.state.parts[array_size(part)].rests = true;
+  } else if constexpr (is_part_request<Returned>) {
+    constexpr int part = asked_part_of<Graph, Call, Returned>;
+    constexpr int place = 1 + place_in_beat<Graph, Call>;
+    if (returned) {
+      b.state.parts[array_size(part)].asked = result_facts<Returned>::asked.starts ? place : -place;
+      b.state.is_asked = true;
+    }
   } else {
     // All twins publish like the first, each at its place.
     constexpr int output = layout_of<Graph>.output_twin[call_of<Graph, Call>.first_output + Port];

@@ -50,6 +50,12 @@ public:
 
   void load(std::string_view = {}) {}
   void save(std::string_view = {}) {}
+  void load(std::string_view, std::string_view) {}
+  void save(std::string_view, std::string_view) {}
+  template <fixed_string>
+  void load(std::string_view) {}
+  template <fixed_string>
+  void save(std::string_view) {}
   void start() {}
   void stop() {}
   template <fixed_string>

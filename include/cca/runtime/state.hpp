@@ -3,13 +3,16 @@
 // copy is a snapshot.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 #include <cca/base/array_size.hpp>
 #include <cca/component/parameter_check.hpp>
 #include <cca/graph/layout/lookup.hpp>
+#include <cca/graph/recordable.hpp>
 #include <cca/runtime/arriving_samples.hpp>
 #include <cca/runtime/stored_samples.hpp>
 #include <cca/runtime/tracing/trace_link.hpp>
@@ -116,8 +119,7 @@ struct stored_array<Graph, Array, storage_kind::newest> {
 struct last_firing {
   std::int64_t last = -1;       // beat; -1: it has not fired yet
   std::int64_t oldest = never;  // origin that it saw then
-  bool is_stopped = false;
-  bool is_first = true;  // of a stoppable component: it has not fired since it was started
+  bool is_first = true;         // of a part: it has not fired since that was started
 };
 template <int Count>
 struct last_firings {
@@ -125,6 +127,59 @@ struct last_firings {
 };
 template <>
 struct last_firings<0> {};
+
+// ---- parts: nodes that may be stopped, components and inner graphs ----
+//
+// A graph without parts keeps nothing of this. A function of a part has a test, and a part that is stopped
+// costs that test.
+
+struct part_state {
+  bool is_stopped = false;  // itself
+  bool rests = false;       // it, or a part around it
+  int asked = 0;            // by a component in this beat: its place in the order, from 1; below 0: to stop
+  std::int64_t since = 0;   // the beat in which it was started last
+};
+template <int Count>
+struct part_states {
+  std::array<part_state, array_size(Count)> parts{};
+  bool is_asked = false;  // anything
+};
+template <>
+struct part_states<0> {};
+
+// In a beat: they do not change while it runs, so all functions of a part that follow each other are one
+// test.
+template <int Count>
+struct resting_parts {
+  std::array<bool, array_size(Count)> rests;
+
+  CCA_INLINE explicit resting_parts(const part_states<Count>& now)
+      : resting_parts(now, std::make_index_sequence<array_size(Count)>{}) {}
+
+private:
+  template <std::size_t... Part>
+  CCA_INLINE resting_parts(const part_states<Count>& now, std::index_sequence<Part...>)
+      : rests{now.parts[Part].rests...} {}
+};
+template <>
+struct resting_parts<0> {
+  CCA_INLINE explicit resting_parts(const part_states<0>&) {}
+};
+
+// How many parts the state of a graph has, and the parts: those of a mode are the parts of its whole set
+// (runtime/modes/shared_state.hpp).
+template <class Graph>
+inline constexpr int parts_kept = counts_of<Graph>.part_count;
+template <class Graph>
+inline constexpr const auto& kept_parts = plan_of<Graph>.parts;
+template <class Graph>
+inline constexpr int parts_kept<probed<Graph>> = parts_kept<Graph>;
+template <class Graph>
+inline constexpr const auto& kept_parts<probed<Graph>> = kept_parts<Graph>;
+
+// The innermost part that has the component of a call; -1: none.
+template <class Graph, int Call>
+inline constexpr int part_of_call_at = plan_of<Graph>.nodes[array_size(call_of<Graph, Call>.node)].part;
 
 // ---- all of it ----
 
@@ -158,6 +213,7 @@ template <class Graph>
 struct controller_state : state_of<Graph,
                                    chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>,
                                    chosen<layout_of<Graph>.array_count, outlives_beat<Graph>>>,
+                          part_states<parts_kept<Graph>>,
                           trace_link<Graph> {};
 
 template <class Part, class Whole>
@@ -190,10 +246,6 @@ CCA_INLINE auto& sample_in(State& state, int index) {
   return part_of<typename array_of_samples<Graph, Array>::type>(state).all[index];
 }
 
-// Whether the component of a call can be stopped.
-template <class Graph, int Call>
-inline constexpr bool is_stoppable = plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->is_stoppable();
-
 // ---- what a beat works on ----
 
 struct beat_outcome {
@@ -215,7 +267,7 @@ template <class Graph, class BeatArrays = beat_arrays<Graph>>
 struct beat_context;
 template <class Graph, int... BeatArray>
 struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
-    : reference_to_array<Graph, BeatArray>... {
+    : reference_to_array<Graph, BeatArray>..., resting_parts<parts_kept<Graph>> {
   controller_state<Graph>& state;
   beat_outcome& outcome;
   std::int64_t k;
@@ -224,7 +276,11 @@ struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
                           beat_outcome& o,
                           std::int64_t beat,
                           stored_array<Graph, BeatArray>&&... samples)
-      : reference_to_array<Graph, BeatArray>{samples}..., state(s), outcome(o), k(beat) {}
+      : reference_to_array<Graph, BeatArray>{samples}...,
+        resting_parts<parts_kept<Graph>>(static_cast<const part_states<parts_kept<Graph>>&>(s)),
+        state(s),
+        outcome(o),
+        k(beat) {}
 
   // A stored sample, by its place.
   template <int Array>

@@ -8,14 +8,13 @@
 
 namespace cca::detail {
 
-// Since it last fired. The first time it is one beat, or what the strategy that can be stopped says.
+// Since it last fired. The first time it is one beat, or, of a part that was started, what its strategy says.
 template <class Graph, int Call>
 CCA_INLINE std::int64_t beats_since(std::int64_t k, const last_firing& self) {
-  if constexpr (is_stoppable<Graph, Call>) {
-    constexpr const strategy_info& while_started =
-        *plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->strategy->parts[0];
-    constexpr bool is_period = while_started.first_dt_is_period && while_started.alone.known();
-    if (self.is_first) return is_period ? while_started.alone.period : 1;
+  if constexpr (part_of_call_at<Graph, Call> >= 0) {
+    constexpr auto strategy = plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->strategy_while_started();
+    constexpr bool is_period = strategy && strategy->first_dt_is_period && strategy->alone.known();
+    if (self.is_first) return is_period ? strategy->alone.period : 1;
   }
   return self.last < 0 ? 1 : k - self.last;
 }
@@ -67,7 +66,8 @@ struct inputs_view<Graph, Call, std::integer_sequence<int, Position...>> {
     return all && common > self.oldest;
   }
   CCA_INLINE std::int64_t beats_since_fired() const { return b.k - (self.last < 0 ? 0 : self.last); }
-  CCA_INLINE bool is_stopped() const { return self.is_stopped; }
+  // It is asked only while its part is started.
+  CCA_INLINE static constexpr bool is_stopped() { return false; }
 
   template <fixed_string Name>
   CCA_INLINE bool fresh() const {

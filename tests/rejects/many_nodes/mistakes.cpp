@@ -13,6 +13,7 @@
 // EXPECT strategy_unknown_port: strategy\.unknown_port: `extra` \(merge\) is cca::port_triggered by `c`, but it has no such input; did you mean `a`\?
 // EXPECT strategy_misplaced: strategy\.misplaced: `extra` \(actuator<signal>\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive
 // EXPECT strategy_not_stoppable: strategy\.not_stoppable: `extra` \(finishing\) returns cca::done, by which it stops itself, but its strategy does not let it be stopped: write cca::stoppable<\.\.\.>
+// EXPECT part_unknown_path: part\.unknown_path: `extra` \(stops_others\) stops or starts `n77`, but there is no node of this path in its graph, nor in the graphs around it
 // EXPECT wire_unknown_port: wire\.unknown_port: the wire `n8\.out` -> `extra\.b` in wire_unknown_port names `n8\.out`, but `n8` \(step\) has no such output; did you mean `n8\.y`\?
 // EXPECT wire_direction: wire\.direction: a wire leads from an output to an input, but in `extra\.x` -> `n7\.y` in wire_direction `extra\.x` is an input and `n7\.y` an output:
 // EXPECT wire_two_writers: wire\.two_writers: `n23\.x` is written by `n22\.y` and by `n7\.y`, but an input has one writer: put an arbiter in front, cca::arbiter<`x`, signal,
@@ -83,6 +84,9 @@ struct merge {
 struct finishing {
   auto process(cca::in<"x", signal>) -> cca::done { return true; }
 };
+struct stops_others {
+  auto process(cca::in<"x", signal>) -> cca::stops<"n77"> { return {}; }
+};
 struct listener {
   void process(cca::optional_in<"x", signal>) {}
 };
@@ -120,6 +124,8 @@ struct strategy_misplaced : fifty_nodes_and<at_1000_hz,
                                             cca::wire<"n7.y", "extra.command">> {};
 struct strategy_not_stoppable
     : fifty_nodes_and<at_1000_hz, cca::node<"extra", finishing>, cca::wire<"n7.y", "extra.x">> {};
+struct part_unknown_path
+    : fifty_nodes_and<at_1000_hz, cca::node<"extra", stops_others>, cca::wire<"n7.y", "extra.x">> {};
 struct wire_unknown_port : fifty_nodes_and<at_1000_hz,
                                            cca::node<"extra", merge>,
                                            cca::wire<"n7.y", "extra.a">,

@@ -19,9 +19,7 @@
 
 namespace cca::dds::detail {
 
-template <class D,
-          class Outputs =
-              cca::detail::chosen<cca::detail::counts_of<D>.output_count, cca::detail::leaves_environment<D>>>
+template <class D, class Outputs = cca::detail::all_that_leaves<D>>
 class replicated_exchange;
 
 template <class D, int... Output>
@@ -71,6 +69,25 @@ private:
     return all;
   }
   template <int Number>
+    requires(cca::detail::is_request<D>(Number))
+  static leaving_output facts_of_output() {
+    constexpr int from = Number - cca::detail::counts_of<D>.output_count;
+    constexpr int parts = cca::detail::counts_of<D>.part_count;
+    return {from,
+            "cca/" + std::string(cca::detail::name_of_environment<D>(from)) + "/parts",
+            "cca::parts_" + deployment_facts::as_text(parts),
+            static_cast<std::size_t>(parts),
+            cca::detail::ring_capacity<D, Number>,
+            readers_of_requests<from>()};
+  }
+  template <int From>
+  static constexpr std::uint64_t readers_of_requests() {
+    return []<int... E>(std::integer_sequence<int, E...>) {
+      return (std::uint64_t{0} | ... | (std::uint64_t{cca::detail::is_asked_by<D, E>(From)} << E));
+    }(std::make_integer_sequence<int, cca::detail::environment_count<D>>{});
+  }
+  template <int Number>
+    requires(!cca::detail::is_request<D>(Number))
   static leaving_output facts_of_output() {
     constexpr const auto& port = cca::detail::output_port_of<D, Number>;
     constexpr int node = cca::detail::call_of<D, cca::detail::output_of<D, Number>.call>.node;
@@ -170,7 +187,7 @@ private:
   }
   template <int Number>
   void put_one(std::span<const std::uint64_t> message) {
-    Eigen::Matrix<double, cca::detail::size_of_output<D, Number>, 1> values;
+    Eigen::Matrix<double, cca::detail::size_of_leaving<D, Number>, 1> values;
     for (int i = 0; i < values.size(); ++i)
       values[i] = std::bit_cast<double>(message[sample_message::head + cca::detail::array_size(i)]);
     own.template ring<Number>().put(values, static_cast<std::int64_t>(message[2]),

@@ -33,6 +33,7 @@ struct component_port {};      // [input or output, name]
 struct repeated_port {};       // a second port of this name [input or output, name]
 struct whole_component {};     // a component with its hooks and parameters
 struct stated_strategy {};     // a node or inner graph with a strategy
+struct node_of_part {};        // a component in a part that may be stopped
 struct exposed_name {};        // the outer name of an expose
 // The path of an expose, observe, latency or wire names no such port [at_reader], of a wire also
 // [is_opposite, is_reversed].
@@ -42,6 +43,7 @@ struct wire_options {};   // a wire
 struct second_writer {};  // a wire to an input that has one [input, output]
 struct connection {};     // a wire between two ports [input, output]
 struct open_input {};     // an input that nothing feeds [input]
+struct unknown_part {};   // a component stops or starts what is no part [name; of a set of modes: in_mode]
 // find the rate
 struct second_rate {};  // a rate that is not the graph's
 struct known_rate {};   // [no item]

@@ -12,6 +12,7 @@
 #include <cca/graph/diagnosis/rules/components/node_bad_name.hpp>
 #include <cca/graph/diagnosis/rules/components/node_duplicate_name.hpp>
 #include <cca/graph/diagnosis/rules/components/parameters_unsupported_type.hpp>
+#include <cca/graph/diagnosis/rules/components/part_unknown_path.hpp>
 #include <cca/graph/diagnosis/rules/components/skeleton_arity.hpp>
 #include <cca/graph/diagnosis/rules/components/space_duplicate_axis.hpp>
 #include <cca/graph/diagnosis/rules/deployment/deployment_bad_environment.hpp>
@@ -63,6 +64,7 @@ using rules = list<
     strategy_unknown_port,
     strategy_misplaced,
     strategy_not_stoppable,
+    part_unknown_path,
     wire_unknown_port,
     wire_direction,
     wire_two_writers,

@@ -126,6 +126,18 @@ struct layout_step {
     return false;
   }
 
+  // In each beat, or at least whenever somebody looks.
+  constexpr bool is_there_when_read(const call& c) const {
+    if (c.fires.every_beat()) return true;
+    if (!c.own_clock.every_beat()) return false;
+    for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o) {
+      if (port_of(g, g.outputs[o]).maybe) return false;
+      for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+        if (!g.inputs[i].known_now && g.inputs[i].queue < 0) return false;
+    }
+    return true;
+  }
+
   // Results are used again by each part of a long beat.
   constexpr void place_results() {
     typename Layout::call_keys functions;
@@ -139,7 +151,7 @@ struct layout_step {
       const int first =
           functions.first(mixed(static_cast<std::uint64_t>(to.components[c.node].array), c.phase), index);
       const int array =
-          array_like({.kind = storage_kind::of_beat, .call = first, .in_each_beat = c.fires.every_beat()});
+          array_like({.kind = storage_kind::of_beat, .call = first, .in_each_beat = is_there_when_read(c)});
       to.results[index] = {array, used[array]++};
       if (used[array] > to.arrays[array].count) to.arrays[array].count = used[array];
     }
@@ -172,7 +184,7 @@ struct layout_step {
       const auto& one = g.calls[c];
       to.calls[c] = {one.node,
                      to.components[one.node].index,
-                     one.fires.dynamic() && !one.elsewhere ? to.firing_count++ : -1,
+                     one.own_clock.dynamic() && !one.elsewhere ? to.firing_count++ : -1,
                      to.results[c].array < 0 ? -1 : to.results[c].index,
                      one.first_input,
                      one.first_output};
@@ -191,7 +203,8 @@ struct layout_step {
     if (in.writer >= 0) {
       const auto& from = g.outputs[in.writer];
       const auto c = published(g, from);
-      key = mixed(key, c.period, c.first, in.delay, in.in_beat | in.own_initial << 1 | in.counts << 2,
+      key = mixed(key, c.period, c.first, in.delay,
+                  in.in_beat | in.own_initial << 1 | in.counts << 2 | in.known_now << 3,
                   from.storage == storage_kind::of_beat ? from.port : -1);
     }
     if (shows_initial(in))
@@ -208,8 +221,9 @@ struct layout_step {
   }
 
   constexpr std::uint64_t key_of(const call& c, int result) const {
-    std::uint64_t key = mixed(item_of_call(g, c).strategy_key, to.components[c.node].array, c.phase,
-                              c.fires.period, c.fires.first, c.unsteady, c.other_clocks, result);
+    std::uint64_t key =
+        mixed(item_of_call(g, c).strategy_key, to.components[c.node].array, c.phase, c.own_clock.period,
+              c.own_clock.first, c.unsteady, c.other_clocks, result, g.nodes[c.node].part);
     for (int i = c.first_input; i < c.first_input + c.function->input_count; ++i)
       key = mixed(key, to.input_twin[i]);
     for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
@@ -225,6 +239,8 @@ struct layout_step {
     const auto space = port_of(g, in).space;
     return (in.writer < 0 && !space) || g.calls[in.call].elsewhere || (space && space->size > most_compared);
   }
+  // What stops and starts parts looks them up by its own number.
+  static constexpr bool is_unique(const call& c) { return c.elsewhere || c.function->asked_count > 0; }
   constexpr bool is_unique(const output& out) const {
     if (out.leaves || g.calls[out.call].elsewhere) return true;
     if (g.queue_count == 0) return false;
@@ -244,7 +260,7 @@ struct layout_step {
       to.output_twin[o] =
           is_unique(g.outputs[o]) ? o : outputs.first(key_of(g.outputs[o], to.outputs[o].array), o);
     for (int c = 0; c < g.call_count; ++c)
-      to.twin[c] = g.calls[c].elsewhere ? c : calls.first(key_of(g.calls[c], to.results[c].array), c);
+      to.twin[c] = is_unique(g.calls[c]) ? c : calls.first(key_of(g.calls[c], to.results[c].array), c);
   }
 
   // Written out: in a constant some elements of an array get zeros instead of their default values

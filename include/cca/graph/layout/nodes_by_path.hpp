@@ -33,7 +33,7 @@ constexpr double step_of(int node) {
   std::int64_t beats = 1;
   for (int i = 0; i < counts_of<Graph>.call_count; ++i) {
     const auto& one = plan_of<Graph>.calls[static_cast<std::size_t>(i)];
-    if (one.node == node) beats = one.fires.known() ? one.fires.period : one.longest_period;
+    if (one.node == node) beats = one.own_clock.known() ? one.own_clock.period : one.longest_period;
   }
   return 1e-9 * static_cast<double>(beats * counts_of<Graph>.period);
 }

@@ -139,6 +139,8 @@ template <class Strategy, bool HasInputs>
 struct strategy_or_default {
   using type = Strategy;
 };
+template <class Strategy, bool HasInputs>
+struct strategy_or_default<stoppable<Strategy>, HasInputs> : strategy_or_default<Strategy, HasInputs> {};
 template <>
 struct strategy_or_default<by_default, true> {
   using type = restless;

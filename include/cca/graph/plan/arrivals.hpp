@@ -8,7 +8,9 @@ namespace cca::detail {
 
 constexpr clock arrival_clock(const flat_view& g, const input& i) {
   if (i.writer < 0) return port_of(g, i).space ? never_clock : dynamic_clock;
-  return shifted(published(g, g.outputs[i.writer]), i.delay);
+  // What arrives later than it was published may have been published before its part was stopped.
+  const auto& from = g.outputs[i.writer];
+  return shifted(i.delay > 0 ? published(g, from) : published_to(g, from, i.call), i.delay);
 }
 
 // Calls f with the arrivals at all wired inputs.

@@ -22,6 +22,23 @@ struct scope {
   ref<item_info> item = nullptr;
   const graph_info* graph = nullptr;
   std::uint64_t hash = 0;
+  int part = -1;  // the innermost that may be stopped and has it
+};
+
+// A node that may be stopped on its own: a component, or an inner graph as a whole. One around another comes
+// first.
+struct stoppable_part {
+  int parent = -1;  // the next one around it
+  const item_info* item = nullptr;
+  int scope = 0;           // in which it stands
+  std::uint64_t hash = 0;  // of its path
+  std::uint64_t modes = 0;
+};
+
+// A component's result that stops or starts a part.
+struct part_request {
+  int call = 0, part = -1;
+  bool starts = false;
 };
 
 // A component.
@@ -29,6 +46,7 @@ struct component_node {
   const item_info* item = nullptr;
   int scope = 0;
   int first_call = 0, call_count = 0;
+  int part = -1;            // the innermost that may be stopped and has it
   int environment = -1;     // of a deployment
   std::uint64_t modes = 0;  // of a set of modes: those that have it, a bit for each
 };
@@ -41,6 +59,9 @@ struct call {
   int first_input = 0, first_output = 0;
   int rank = 0;  // its number in the order of a beat
   clock fires{};
+  // While its part is started. It differs from `fires` if it is known: a part may be stopped at any time.
+  clock own_clock{};
+  int first_request = 0;     // of those that stop or start parts
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
   bool elsewhere = false;    // runs in another environment
   // Only in a set of modes (graph/plan/modes/share.hpp):
@@ -58,6 +79,7 @@ struct input {
   bool wired = false;        // by a wire, an observer, or exposed by the outermost graph
   bool counts = true;        // for the time of origin
   bool in_beat = false;      // surely published in the beat of the reader's firing
+  bool known_now = false;    // and also when its strategy is asked
   bool own_initial = false;  // its initial value differs from that of the stored sample
   int queue = -1;            // number of its queue
   std::uint64_t modes = 0;   // of a set of modes: those that have this queue
@@ -96,6 +118,9 @@ struct flat_view {
   output* outputs;
   link* links;
   int* order;
+  stoppable_part* parts;
+  part_request* requests;
+  int part_count = 0, request_count = 0;
   int scope_count = 0, node_count = 0, call_count = 0, input_count = 0, output_count = 0, link_count = 0,
       queue_count = 0;
   int order_count = 0;  // calls in a beat
@@ -109,7 +134,7 @@ struct flat_view {
   finding found{};
 };
 
-template <int Scopes, int Nodes, int Calls, int Inputs, int Outputs, int Links>
+template <int Scopes, int Nodes, int Calls, int Inputs, int Outputs, int Links, int Parts, int Requests>
 struct flat {
   std::array<scope, array_size(Scopes + 1)> scopes{};
   std::array<component_node, array_size(Nodes + 1)> nodes{};
@@ -118,6 +143,8 @@ struct flat {
   std::array<output, array_size(Outputs + 1)> outputs{};
   std::array<link, array_size(Links + 1)> links{};
   std::array<int, array_size(Calls + 1)> order{};
+  std::array<stoppable_part, array_size(Parts + 1)> parts{};
+  std::array<part_request, array_size(Requests + 1)> requests{};
   flat_view counts{};  // its pointers are null: a value must not point into itself
 
   constexpr flat_view view() {
@@ -129,6 +156,8 @@ struct flat {
     v.outputs = outputs.data();
     v.links = links.data();
     v.order = order.data();
+    v.parts = parts.data();
+    v.requests = requests.data();
     return v;
   }
   constexpr void keep(flat_view v) {
@@ -139,6 +168,8 @@ struct flat {
     v.outputs = nullptr;
     v.links = nullptr;
     v.order = nullptr;
+    v.parts = nullptr;
+    v.requests = nullptr;
     counts = v;
   }
 };
@@ -158,13 +189,20 @@ constexpr int delay_of(const flat_view& g, const link& l) {
 constexpr const item_info& item_of_call(const flat_view& g, const call& t) { return *g.nodes[t.node].item; }
 constexpr int scope_of_call(const flat_view& g, const call& t) { return g.nodes[t.node].scope; }
 
-// The strategy of a component: the stated one, or the default.
+// The strategy of a component while it is started: the stated one, or the default.
 constexpr const strategy_info& strategy_of_call(const flat_view& g, const call& t) {
   const auto& item = item_of_call(g, t);
-  if (item.strategy) return *item.strategy;
+  if (const auto stated = item.strategy_while_started()) return *stated;
   return item.component->resource() || t.function->input_count == 0 ? strategy_of<timed<1>>
                                                                     : strategy_of<restless>;
 }
+
+// Does the second part have the first around it, or is it the same? -1: the whole graph.
+constexpr bool is_around(const flat_view& g, int part, int other) {
+  while (other > part) other = g.parts[other].parent;
+  return other == part;
+}
+constexpr int part_of_call(const flat_view& g, int call) { return g.nodes[g.calls[call].node].part; }
 
 constexpr bool is_queued(const input& i) { return i.queue >= 0; }
 
@@ -176,6 +214,13 @@ constexpr clock published(const flat_view& g, const output& o) {
   const auto& t = g.calls[o.call];
   const auto& port = t.function->outputs[o.port];
   return port.maybe ? published(port, t) : t.fires;
+}
+// The same in the beats in which a reader may fire: where it runs, the parts around it are started.
+constexpr clock published_to(const flat_view& g, const output& o, int reader_call) {
+  const auto& t = g.calls[o.call];
+  const auto& port = t.function->outputs[o.port];
+  if (!t.own_clock.known() || port.maybe) return published(g, o);
+  return is_around(g, g.nodes[t.node].part, part_of_call(g, reader_call)) ? t.own_clock : t.fires;
 }
 
 // The same for where its samples are stored.

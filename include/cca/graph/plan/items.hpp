@@ -33,13 +33,21 @@ struct item_info {
   std::uint64_t from_hash = 0, to_hash = 0;  // as paths of the outermost graph
   std::uint64_t strategy_key = 0;            // type_key of a node's strategy
 
-  // A component that may be stopped on its own.
+  // A component, or an inner graph as a whole, that may be stopped on its own.
   constexpr bool is_stoppable() const { return strategy && strategy->is_stoppable; }
+  // When a started component fires; none: by default.
+  constexpr ref<strategy_info> strategy_while_started() const {
+    auto stated = strategy;
+    if (is_stoppable() && strategy->part_count == 1) stated = strategy->parts[0];
+    if (stated && stated->is_default) stated = nullptr;
+    return stated;
+  }
 };
 
 // How many of each a graph has, inner graphs included.
 struct graph_sizes {
   int nodes = 0, scopes = 0, calls = 0, inputs = 0, outputs = 0, exposes = 0, observers = 0;
+  int parts = 0, part_requests = 0;  // that may be stopped; results that stop or start one
 };
 
 struct graph_info {
@@ -174,6 +182,7 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
   sizes.scopes = 1;
   for (int i = 0; i < count; ++i) {
     const auto& item = items[i];
+    sizes.parts += item.is_stoppable();
     if (item.kind == item_kind::graph) {
       const auto& inner = item.inner->sizes;
       sizes.nodes += inner.nodes;
@@ -183,6 +192,8 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       sizes.outputs += inner.outputs;
       sizes.exposes += inner.exposes;
       sizes.observers += inner.observers;
+      sizes.parts += inner.parts;
+      sizes.part_requests += inner.part_requests;
     } else if (item.kind == item_kind::node) {
       ++sizes.nodes;
       for (const auto function : {item.component->sense, item.component->process, item.component->act}) {
@@ -190,6 +201,7 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
         ++sizes.calls;
         sizes.inputs += function->input_count;
         sizes.outputs += function->output_count;
+        sizes.part_requests += function->asked_count;
         for (int p = 0; p < function->input_count; ++p) sizes.observers += !function->inputs[p].space;
       }
     } else if (item.kind == item_kind::expose) {

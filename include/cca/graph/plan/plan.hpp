@@ -40,7 +40,9 @@ using flat_of = flat<graph_size<Graph>.scopes,
                      graph_size<Graph>.calls,
                      graph_size<Graph>.inputs,
                      graph_size<Graph>.outputs,
-                     graph_size<Graph>.observers * graph_size<Graph>.outputs>;
+                     graph_size<Graph>.observers * graph_size<Graph>.outputs,
+                     graph_size<Graph>.parts,
+                     graph_size<Graph>.part_requests>;
 
 template <class Graph>
 inline constexpr std::uint64_t names_size =

@@ -23,7 +23,7 @@ inline constexpr auto environment_clocks = [] {
   auto plan = plan_of<D>;
   const auto g = plan.view();
   for (int c = 0; c < g.call_count; ++c) {
-    const clock fires = g.calls[c].fires.dynamic() ? every(1) : g.calls[c].fires;
+    const clock fires = g.calls[c].own_clock.dynamic() ? every(1) : g.calls[c].own_clock;
     if (environment_of(g, c) != E || fires.never()) continue;
     bool is_new = true;
     for (std::size_t i = 0; i < clocks.count; ++i) is_new = is_new && !(clocks.all[i] == fires);

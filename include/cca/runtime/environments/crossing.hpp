@@ -8,9 +8,53 @@
 #include <utility>
 
 #include <cca/graph/plan/deployment/part.hpp>
+#include <cca/runtime/stoppable_parts.hpp>
 #include <cca/runtime/state.hpp>
 
 namespace cca::detail {
+
+// Whether an environment has a node of a part, and whether its components stop or start one.
+template <class D, int E>
+constexpr bool has_part(int number) {
+  for (int n = 0; n < counts_of<D>.node_count; ++n)
+    if (plan_of<D>.nodes[array_size(n)].environment == E && is_in_part<D>(n, number)) return true;
+  return false;
+}
+template <class D>
+constexpr bool asks_for_part(int environment, int number) {
+  for (int r = 0; r < counts_of<D>.request_count; ++r) {
+    const auto& request = plan_of<D>.requests[array_size(r)];
+    const int node = plan_of<D>.calls[array_size(request.call)].node;
+    if (request.part == number && plan_of<D>.nodes[array_size(node)].environment == environment) return true;
+  }
+  return false;
+}
+template <class D>
+constexpr bool asks_for_parts(int environment) {
+  for (int p = 0; p < counts_of<D>.part_count; ++p)
+    if (asks_for_part<D>(environment, p)) return true;
+  return false;
+}
+// What components of one environment ask for, of parts in another: it takes a beat, like a sample.
+template <class D, int To>
+constexpr bool is_asked_by(int from) {
+  for (int p = 0; p < counts_of<D>.part_count; ++p)
+    if (has_part<D, To>(p) && asks_for_part<D>(from, p)) return true;
+  return false;
+}
+
+// These requests leave as samples do, after the outputs: number `output_count + E` has those of environment
+// E. A coordinate for each part: its call's place in the order of a beat, from 1; below 0: to stop; 0:
+// nothing.
+template <class D>
+constexpr bool is_request(int leaving) {
+  return leaving >= counts_of<D>.output_count;
+}
+template <class D, int Leaving>
+inline constexpr int size_of_leaving = [] {
+  if constexpr (is_request<D>(Leaving)) return counts_of<D>.part_count;
+  else return size_of_output<D, Leaving>;
+}();
 
 template <class D>
 struct crossings {
@@ -36,13 +80,30 @@ inline constexpr auto crossings_of = [] {
       if (least == 0 || delay < least) least = delay;
     });
   }
+  [&]<int... To>(std::integer_sequence<int, To...>) {
+    for (int from = 0; from < environment_count<D>; ++from)
+      ((is_asked_by<D, To>(from) && To != from ? void(found.least_delay[array_size(from)][To] = 1) : void()),
+       ...);
+  }(std::make_integer_sequence<int, environment_count<D>>{});
   return found;
 }();
 
 template <class D>
 struct leaves_environment {
-  static constexpr bool holds(std::size_t o) { return crossings_of<D>.largest_delay[o] > 0; }
+  static constexpr bool holds(std::size_t o) {
+    const int number = static_cast<int>(o);
+    return is_request<D>(number) ? asks_for_parts<D>(number - counts_of<D>.output_count)
+                                 : crossings_of<D>.largest_delay[o] > 0;
+  }
 };
+// Outputs and requests.
+template <class D>
+using all_that_leaves = chosen<counts_of<D>.output_count + environment_count<D>, leaves_environment<D>>;
+template <class D, int Leaving>
+inline constexpr int largest_delay_of = [] {
+  if constexpr (is_request<D>(Leaving)) return 1;
+  else return crossings_of<D>.largest_delay[Leaving];
+}();
 
 template <class D, int E>
 struct leaves_by_clock {
@@ -59,8 +120,10 @@ template <class D, int E, int... Output>
 inline constexpr bool samples_tell = [] {
   auto plan = plan_of<D>;
   const flat_view g = plan.view();
-  return !counts_of<part<D, E>>.may_fault &&
-         ((environment_of(g, g.outputs[Output].call) != E || published(g, g.outputs[Output]).known()) && ...);
+  return !counts_of<part<D, E>>.may_fault && !asks_for_parts<D>(E) &&
+         ((is_request<D>(Output) || environment_of(g, g.outputs[Output].call) != E ||
+           published(g, g.outputs[Output]).known()) &&
+          ...);
 }();
 
 // The outputs that an environment reads from others.

@@ -61,7 +61,7 @@ class deployed<D> : public detail::component_host<deployed<D>, D>,
   friend host;
   friend placed;
   friend detail::live_components;
-  friend detail::stoppable_components<deployed<D>, D>;
+  friend detail::stoppable_parts<deployed<D>, D>;
   friend detail::figures_of_runs<deployed<D>, D>;
 
 public:
@@ -146,14 +146,30 @@ public:
 
 private:
   // Where its environment is, if that looks at it now; else all are at rest.
-  std::int64_t next_beat_of(int node) const {
-    const std::int64_t own = looked_at[placed::environment_at(node)];
+  std::int64_t next_beat_of(int environment) const {
+    const std::int64_t own = looked_at[detail::array_size(environment)];
     return own > 0 ? own : k;
+  }
+  void check_part(const char*, int part) const { placed::check_part_is_here(part); }
+  void tell_part([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
+    loops.for_each([&]<int E>(auto& loop) {
+      if (here[E]) loop.tell_part(part, stops, false, next_beat_of(E));
+    });
   }
   void forget_runs() {
     runs.overruns = runs.lost_periods = 0;
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].forget_figures();
+  }
+  // In the thread of an environment, between two of its beats.
+  template <int E>
+  void set_part_in(int part, bool stops) {
+    if constexpr (detail::parts_kept<D> > 0) {
+      auto& loop = loops.template at<E>();
+      if (loop.state.parts[detail::array_size(part)].is_stopped == stops) return;
+      detail::change_part<detail::part<D, E>>(loop.state, part, stops, next_beat_of(E));
+      loop.tell_part(part, stops, false, next_beat_of(E));
+    }
   }
   int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
 
@@ -284,6 +300,7 @@ private:
     loops.for_each([&]<int E>(auto& loop) {
       if (!here[E]) return;
       loop.handle_fault();
+      loop.settle_parts(is_faulted ? k - 1 : k);
       loop.skip_to(k);
     });
     if (!is_faulted) return;
@@ -293,7 +310,7 @@ private:
   }
 
   using host::idle, host::move, host::now, host::reason;
-  using placed::component, placed::component_of, placed::visit, placed::visit_firings;
+  using placed::component, placed::component_of, placed::visit, placed::for_each_part_state;
   using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in;
   using placed::loops, placed::here;
 

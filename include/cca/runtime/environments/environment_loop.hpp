@@ -43,6 +43,7 @@ public:
     state.ahead = ahead;
     state.is_cut = false;
     state.forget_others();
+    state.requests.forget(exchanged);
     has_handled_fault = false;
     skip_to(beat);
     own().begun = beat - 1;
@@ -153,6 +154,22 @@ public:
     tell_reached();
   }
 
+  // To a recorder, if this environment has the first node of a part.
+  void tell_part([[maybe_unused]] int part,
+                 [[maybe_unused]] bool stops,
+                 [[maybe_unused]] bool requested,
+                 [[maybe_unused]] std::int64_t from) noexcept {
+    if constexpr (Recordable<D>)
+      if (plan_of<D>.nodes[array_size(first_node_of_part<D>(part))].environment == E)
+        if (auto* const tap = state.tap.get()) tap->part_changed(part, stops, requested, from);
+  }
+
+  // At the end of a run: what was asked for in the beats before `beat`, and no more.
+  void settle_parts(std::int64_t beat) {
+    take_part_requests(beat);
+    state.requests.forget(shared());
+  }
+
   // Once, in the beat of a fault: instead of what would still have come.
   void handle_fault() noexcept {
     if (shared().fault_position() == no_position || has_handled_fault) return;
@@ -205,6 +222,7 @@ private:
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->begin(k);
     state.receive(state, k);
+    take_part_requests(k);
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
@@ -212,6 +230,11 @@ private:
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->end();
     if constexpr (is_probed<Key>) state.end_frame();
+    if constexpr (asks_for_parts<D>(E))
+      if (state.is_asked) [[unlikely]] {
+        if (outcome.fault || state.is_cut) forget_requests(state);
+        else send_requests<D, E>(shared(), state, k, state.is_exact);
+      }
     if constexpr (counts_of<graph>.may_fault)
       if (outcome.fault) state_fault(observers, state.fault_rank, outcome.fault, outcome.node);
     done = ++k;
@@ -244,8 +267,25 @@ private:
     if constexpr (layout_of<graph>.firing_count > 0)
       for (std::size_t c = 0; c < array_size(counts_of<D>.call_count); ++c)
         if (const int at = layout_of<graph>.calls[c].firing;
-            at >= 0 && ticks(plan_of<D>.calls[c].fires, beat))
+            at >= 0 && is_started(plan_of<D>.calls[c], beat) && ticks(plan_of<D>.calls[c].own_clock, beat)) {
           state.firings[at].last = beat;
+          state.firings[at].is_first = false;
+        }
+  }
+
+  bool is_started([[maybe_unused]] const call& c, [[maybe_unused]] std::int64_t beat) const {
+    if constexpr (parts_kept<graph> > 0) {
+      const int part = plan_of<D>.nodes[array_size(c.node)].part;
+      return part < 0 ||
+             (!state.parts[array_size(part)].rests && state.parts[array_size(part)].since <= beat);
+    }
+    return true;
+  }
+  // Before beat `next`.
+  void take_part_requests(std::int64_t next) noexcept {
+    state.requests.take(shared(), state, next, [this](int number, bool stops, std::int64_t from) {
+      tell_part(number, stops, true, from);
+    });
   }
 
   // False: a fault or the end has come before it.

@@ -28,12 +28,12 @@ using environments_here = std::array<bool, array_size(environment_count<D>)>;
 
 // Enough for the samples of the beats in which the writer is ahead, and for those that are not due.
 template <class D, int Output>
-inline constexpr int ring_capacity = static_cast<int>(
-    std::bit_ceil(static_cast<unsigned>(most_ahead<D> + crossings_of<D>.largest_delay[Output] + 2)));
+inline constexpr int ring_capacity =
+    static_cast<int>(std::bit_ceil(static_cast<unsigned>(most_ahead<D> + largest_delay_of<D, Output> + 2)));
 
 template <class D, int Output>
 struct leaving_samples {
-  sample_ring<size_of_output<D, Output>, ring_capacity<D, Output>> ring;
+  sample_ring<size_of_leaving<D, Output>, ring_capacity<D, Output>> ring;
 };
 
 // Why an environment ended a run, and where.
@@ -111,7 +111,7 @@ inline void add(std::atomic<std::int64_t>& number, std::int64_t some) noexcept {
   number.store(number.load(std::memory_order_relaxed) + some, std::memory_order_relaxed);
 }
 
-template <class D, class Outputs = chosen<counts_of<D>.output_count, leaves_environment<D>>>
+template <class D, class Outputs = all_that_leaves<D>>
 struct exchange;
 template <class D, int... Output>
 struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, Output>... {

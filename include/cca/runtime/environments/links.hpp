@@ -9,6 +9,7 @@
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/fault_order.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/parts/part_requests.hpp>
 #include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
 #include <cca/runtime/recording/beat_tap.hpp>
@@ -41,6 +42,7 @@ public:
   const peers* courier = nullptr;  // one whose work this thread does
   waiting_habit habit;
   int fault_rank = 0;  // of the call that faulted here, in the order of the whole
+  [[no_unique_address]] arriving_requests<D, E> requests;  // for parts
 
   // A component publishes in beat k.
   template <int Output, class Vector>
@@ -52,6 +54,7 @@ public:
   template <class State>
   void receive([[maybe_unused]] State& state, [[maybe_unused]] std::int64_t k) noexcept {
     (receive_one<Arriving>(state, k), ...);
+    if constexpr (has_parts) received = k + 1;
   }
 
   // Beat k was cut or skipped: what should have left by a known clock leaves again.
@@ -164,6 +167,7 @@ public:
 
 private:
   static constexpr const auto& order = fault_order_of<D, E>;
+  static constexpr bool has_parts = parts_kept<part<D, E>> > 0;
 
   template <int X>
   static constexpr int needed(int rank) {
@@ -184,7 +188,10 @@ private:
     const auto& ring = shared->template ring<Output>();
     auto& next = static_cast<next_arrival<D, Output>&>(*this);
     const auto arrive = [&](const auto& vector, std::int64_t origin, std::int64_t published_in) {
-      sample_in<part<D, E>, at.array>(state, at.index).put(vector, origin, published_in, k);
+      // A part that starts while its environment sleeps asks when the sample came: a fast run has waited for
+      // it, else it was there as soon as it could be.
+      const std::int64_t came = !has_parts ? k : is_exact ? published_in : received;
+      sample_in<part<D, E>, at.array>(state, at.index).put(vector, origin, published_in, came);
       next.newest = published_in;
     };
     if (is_exact) {
@@ -273,6 +280,7 @@ private:
 
   std::array<std::int64_t, array_size(environment_count<D>)> seen{};  // how far the others were
   std::array<std::int64_t, array_size(environment_count<D>)> late_in_a_row{};
+  std::int64_t received = 0;  // after the last beat before which samples were taken
 };
 
 template <class D, int E>
@@ -284,6 +292,7 @@ struct controller_state<part<D, E>>
     : state_of<part<D, E>,
                chosen<counts_of<part<D, E>>.node_count, is_first_of_type<part<D, E>>>,
                chosen<layout_of<part<D, E>>.array_count, outlives_beat<part<D, E>>>>,
+      part_states<parts_kept<part<D, E>>>,
       environment_links<D, E>,
       trace_link<part<D, E>> {};
 

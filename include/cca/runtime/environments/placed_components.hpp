@@ -49,6 +49,18 @@ protected:
     constexpr int e = environment_of<Node>;
     return component_at<part<D, e>, Node>(self.loops.template at<e>().state);
   }
+  // f.template operator()<part<D, E>>(state, next beat) for each environment here that has a node of a part.
+  template <class F, class Placed>
+  static void for_each_part_state(int number, F f, Placed& self) {
+    self.loops.for_each([&]<int E>(auto& loop) {
+      if (self.here[E] && has_part<D, E>(number))
+        f.template operator()<part<D, E>>(loop.state, self.next_beat_of(E));
+    });
+  }
+  void check_part_is_here(int number) const {
+    for (int node = 0; node < counts_of<D>.node_count; ++node)
+      if (is_in_part<D>(node, number)) refuse_if_elsewhere(node);
+  }
   // f(number, component) for each, in declaration order.
   template <class F, class Placed>
   static void visit(F f, Placed& self) {
@@ -56,13 +68,6 @@ protected:
       const int all[] = {0, (f(Node, component_of<Node>(self)), 0)...};
       (void)all;
     }(std::make_integer_sequence<int, counts_of<D>.node_count>{});
-  }
-  template <class F, class Placed>
-  static void visit_firings(int node, F f, Placed& self) {
-    self.refuse_if_elsewhere(node);
-    self.loops.for_each([&]<int E>(auto& loop) {
-      if (environment_at(node) == array_size(E)) detail::visit_firings<part<D, E>>(loop.state, node, f);
-    });
   }
 
   // f(observation) for each output that an `observe` names, before beat k, in declaration order.

@@ -57,11 +57,20 @@ struct live_components {
     else c.observed(f);
   }
 
+  // A part stops or starts, as far as this loop has it.
+  template <int Loop, class Controller>
+  static void set_part(Controller& c, int part, std::string_view path, bool stops) {
+    if constexpr (requires { c.template set_part_in<Loop>(part, stops); })
+      c.template set_part_in<Loop>(part, stops);
+    else if (stops) c.stop(path);
+    else c.start(path);
+  }
+
   // ---- modes ----
 
   template <class Controller>
-  static bool runs_now(const Controller& c, int node) {
-    if constexpr (requires { c.is_active(node); }) return c.is_active(node);
+  static bool has_part_now(const Controller& c, int part) {
+    if constexpr (requires { c.has_part(part); }) return c.has_part(part);
     else return true;
   }
   template <class Controller>

@@ -52,13 +52,9 @@ public:
     return config_backend<shadows>::template get<std::string>(known, path);
   }
 
-  // A component with the strategy `stoppable`.
-  bool stop(std::string_view path) {
-    return request(asked::stop, stoppable_node_named<Graph>(path), [] {});
-  }
-  bool start(std::string_view path) {
-    return request(asked::start, stoppable_node_named<Graph>(path), [] {});
-  }
+  // A part: a node with the strategy `stoppable`.
+  bool stop(std::string_view path) { return change_part(asked::stop, part_named<Graph>(path)); }
+  bool start(std::string_view path) { return change_part(asked::start, part_named<Graph>(path)); }
 
   // Of a set of modes; another name is refused.
   bool switch_to(std::string_view mode)
@@ -79,6 +75,7 @@ public:
   bool is_taken() const noexcept { return mailbox.is_empty(); }
   std::string refused_by() const {
     const int by = refusing.load(std::memory_order_acquire);
+    if (by <= first_part) return path_of_part<Graph>(first_part - by);
     if constexpr (Modes<Graph>)
       if (by <= first_mode) return std::string(live_components::mode_name<Controller>(first_mode - by));
     return by < 0 ? std::string() : known.path(by);
@@ -101,8 +98,21 @@ protected:
 
 private:
   enum class asked { parameters, stop, start, mode };
-  static constexpr int all_nodes = -1, nobody = -1, first_mode = -2;  // -2 - n: mode n
+  static constexpr int all_nodes = -1, nobody = -1;
+  static constexpr int first_mode = -2, first_part = -1000;  // -2 - n: mode n, -1000 - n: part n
   using mailbox_type = live_mailbox<loops::count>;
+
+  // Each loop that has a node of it does its share.
+  bool change_part(asked about, int part) {
+    typename mailbox_type::loops to{};
+    for (int node = 0; node < counts_of<Graph>.node_count; ++node)
+      if (is_in_part<Graph>(node, part)) {
+        known.check_is_here(node);
+        to[array_size(loops::of_node(node))] = true;
+      }
+    return request(about, to, [&] { asked_part = part; });
+  }
+
   struct given_back {
     mailbox_type& mailbox;
     bool is_posted = false;
@@ -113,18 +123,19 @@ private:
 
   template <class F>
   bool request(asked about, int of, F prepare) {
-    if (of >= 0) known.check_is_here(of);
+    if (of < 0) return request(about, with_components, prepare);
+    known.check_is_here(of);
+    typename mailbox_type::loops to{};
+    to[array_size(loops::of_node(of))] = true;
+    return request(about, to, prepare);
+  }
+  template <class F>
+  bool request(asked about, const typename mailbox_type::loops& to, F prepare) {
     if (!mailbox.claim()) return false;
     given_back unless_posted{mailbox};
     prepare();  // may throw: then nothing is asked
     what = about;
-    asked_node = of;
     refusing.store(nobody, std::memory_order_relaxed);
-    typename mailbox_type::loops to = with_components;
-    if (of >= 0) {
-      to = {};
-      to[array_size(loops::of_node(of))] = true;
-    }
     unless_posted.is_posted = true;
     mailbox.post(to);
     return true;
@@ -157,9 +168,10 @@ private:
         live_components::switch_to(c, asked_mode);
         return nobody;
       }
-    if (!live_components::runs_now(c, asked_node)) return asked_node;
-    if (what == asked::stop) c.stop(known.path(asked_node));
-    else c.start(known.path(asked_node));
+    if constexpr (parts_kept<Graph> > 0) {
+      if (!live_components::has_part_now(c, asked_part)) return first_part - asked_part;
+      live_components::set_part<Loop>(c, asked_part, path_of_part<Graph>(asked_part), what == asked::stop);
+    }
     return nobody;
   }
 
@@ -167,7 +179,7 @@ private:
   typename mailbox_type::loops with_components{};  // here
   mailbox_type mailbox;
   asked what = asked::parameters;
-  int asked_node = all_nodes, asked_mode = 0;
+  int asked_part = 0, asked_mode = 0;
   std::atomic<int> refusing{nobody};
 };
 

@@ -97,7 +97,7 @@ public:
 
 private:
   friend detail::component_host<controller, M>;
-  friend detail::stoppable_components<controller, M>;
+  friend detail::stoppable_parts<controller, M>;
   friend host;
   friend detail::live_components;
   template <int I>
@@ -115,9 +115,10 @@ private:
   static void visit(F f, Controller& self) {
     detail::visit_components<M>(f, self.state_of_all);
   }
+  // Its components are those of the active mode.
   template <class F, class Controller>
-  static void visit_firings(int node, F f, Controller& self) {
-    detail::visit_firings<M>(self.state_of_all, node, f);
+  static void for_each_part_state(int, F f, Controller& self) {
+    with_mode(self.active, [&]<int I>() { f.template operator()<part<I>>(self.state_of_all, self.k); });
   }
 
   // Parameters are those of all modes, on_start and on_stop the active one's.
@@ -125,9 +126,12 @@ private:
   bool is_active(int node) const {
     return detail::has_mode(detail::plan_of<M>.nodes[detail::array_size(node)].modes, active);
   }
-  void check_runs(const char* call, int node) const {
-    if (!is_active(node))
-      throw refused(std::string("cca::controller: ") + call + "(`" + detail::path_of_node<M>(node) +
+  bool has_part(int number) const {
+    return detail::has_mode(detail::plan_of<M>.parts[detail::array_size(number)].modes, active);
+  }
+  void check_part(const char* call, int number) const {
+    if (!has_part(number))
+      throw refused(std::string("cca::controller: ") + call + "(`" + detail::path_of_part<M>(number) +
                     "`) is refused in the mode `" + std::string(mode()) +
                     "`, which has no such component: it is started when a mode begins that has it");
   }
@@ -174,6 +178,9 @@ private:
     ++k;
     if constexpr (detail::counts_of<part<I>>.may_fault)
       if (outcome.fault) return fail_in<I>(outcome);
+    if constexpr (detail::counts_of<part<I>>.request_count > 0)
+      if (state_of_all.is_asked) [[unlikely]]
+        take_requests<I>();
     if constexpr (detail::may_request<part<I>>)
       if (state_of_all.requested >= 0) [[unlikely]]
         switch_by_request();
@@ -184,8 +191,19 @@ private:
   [[gnu::noinline]] void fail_in(detail::beat_outcome outcome) noexcept {
     detail::repeat_outputs<part<I>>(state_of_all, k - 1);
     state_of_all.requested = -1;
+    if constexpr (detail::parts_kept<M> > 0) detail::forget_requests(state_of_all);
     outcome.node = detail::shared_nodes<M, I>[detail::array_size(outcome.node)];
     host::fail(outcome);
+  }
+
+  template <int I>
+  [[gnu::noinline]] void take_requests() noexcept {
+    detail::take_requests<part<I>>(state_of_all, k,
+                                   [this]([[maybe_unused]] int number, [[maybe_unused]] bool stops) {
+                                     if constexpr (detail::Recordable<M>)
+                                       if (auto* const tap = recorded_into())
+                                         tap->part_changed(number, stops, true, k);
+                                   });
   }
 
   [[gnu::noinline]] void switch_by_request() noexcept {
@@ -210,7 +228,7 @@ private:
     if constexpr (detail::Recordable<M>)
       if (auto* const tap = recorded_into()) tap->switched(next, is_requested, k);
     state_of_all.since = k;
-    with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, is_started); });
+    with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, k, is_started); });
   }
 
   template <fixed_string Mode>

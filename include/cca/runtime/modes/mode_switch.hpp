@@ -4,11 +4,12 @@
 // Cost: for each component and sample that not all modes have a test, and what its hook does.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/modes/shared_state.hpp>
-#include <cca/runtime/stoppable_components.hpp>
+#include <cca/runtime/stoppable_parts.hpp>
 
 namespace cca::detail {
 
@@ -82,22 +83,33 @@ struct mode_switch {
   void leave(int next, std::int64_t k, bool is_started) {
     if (is_started)
       for_each<counts.node_count, hook<false>>([&]<int Node>() {
-        if (!has_mode(modes_with<M, I>(Node), next) && !is_stopped<Node>()) component<Node>().on_stop();
+        if (!has_mode(modes_with<M, I>(Node), next) && !rests(Node)) component<Node>().on_stop();
       });
     // From here on the clock of this mode does not tell when they fired last.
     for_each<counts.call_count, unsteady_call<M, I>>([&]<int Call>() {
-      if (const auto last = newest_tick(call_of<part, Call>.fires, k - 1); last >= 0 && last >= state.since)
-        state.firings[layout_of<part>.calls[Call].firing].last = last;
+      if (rests(call_of<part, Call>.node)) return;  // when it starts again nothing that was counts
+      if (const auto last = newest_tick(call_of<part, Call>.own_clock, k - 1);
+          last >= 0 && last >= known_since<Call>(state)) {
+        last_firing& kept = state.firings[layout_of<part>.calls[Call].firing];
+        kept.last = last;
+        kept.is_first = false;
+      }
     });
     for_each<counts.call_count, kept_firing<M, I>>([&]<int Call>() {
       if (!has_mode(modes_with<M, I>(call_of<part, Call>.node), next))
         state.firings[layout_of<part>.calls[Call].firing] = {};
     });
+    if constexpr (parts_kept<M> > 0)
+      for (int p = 0; p < parts_kept<M>; ++p)
+        if (!has_mode(plan_of<M>.parts[array_size(p)].modes, next)) state.parts[array_size(p)] = {};
   }
 
   // ---- from the last mode to I ----
 
-  void enter(int last, bool is_started) {
+  void enter(int last, [[maybe_unused]] std::int64_t k, bool is_started) {
+    if constexpr (parts_kept<M> > 0)
+      for (int p = 0; p < parts_kept<M>; ++p)
+        if (!has_mode(plan_of<M>.parts[array_size(p)].modes, last)) come(p, k);
     for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
       if (!has_mode(modes_with<M, I>(call_of<part, output_of<part, Output>.call>.node), last))
         begin_anew<Output>();
@@ -111,7 +123,7 @@ struct mode_switch {
     });
     if (is_started)
       for_each<counts.node_count, hook<true>>([&]<int Node>() {
-        if (!has_mode(modes_with<M, I>(Node), last)) component<Node>().on_start();
+        if (!has_mode(modes_with<M, I>(Node), last) && !rests(Node)) component<Node>().on_start();
       });
   }
 
@@ -130,6 +142,14 @@ private:
     }
   };
 
+  // Since when its clock tells when it fired.
+  template <int Call, class State>
+  static std::int64_t known_since(const State& state) {
+    constexpr int in_part = part_of_call_at<part, Call>;
+    if constexpr (in_part >= 0) return std::max(state.since, state.parts[array_size(in_part)].since);
+    else return state.since;
+  }
+
   template <int Count, class Predicate, class F>
   static void for_each(F f) {
     [&]<int... Number>(std::integer_sequence<int, Number...>) {
@@ -143,13 +163,20 @@ private:
     return component_at<M, shared_nodes<M, I>[array_size(Node)]>(state);
   }
 
-  // On its own: then its hook has run, or it has stopped itself.
-  template <int Node>
-  bool is_stopped() const {
-    bool is_so = false;
-    if constexpr (is_stoppable_node<part>(Node))
-      visit_firings<part>(state, Node, [&](const last_firing& one) { is_so = one.is_stopped; });
-    return is_so;
+  // Then its hook has run, or it has stopped itself.
+  bool rests([[maybe_unused]] int node) const {
+    if constexpr (parts_kept<M> > 0) {
+      const int in_part = plan_of<part>.nodes[array_size(node)].part;
+      return in_part >= 0 && state.parts[array_size(in_part)].rests;
+    }
+    return false;
+  }
+  // A part that the last mode lacked is started; it rests if one around it does.
+  void come(int p, std::int64_t k) {
+    const int around = plan_of<M>.parts[array_size(p)].parent;
+    state.parts[array_size(p)] = {};
+    state.parts[array_size(p)].rests = around >= 0 && state.parts[array_size(around)].rests;
+    state.parts[array_size(p)].since = k;
   }
 
   // It has not been published yet: it shows the initial value.

@@ -12,6 +12,12 @@
 
 namespace cca::detail {
 
+// All modes have the same parts.
+template <class M, int I>
+inline constexpr int parts_kept<mode_part<M, I>> = parts_kept<M>;
+template <class M, int I>
+inline constexpr const auto& kept_parts<mode_part<M, I>> = kept_parts<M>;
+
 // One object is the state of every mode: each is derived from the one before, and the first from what all
 // share.
 template <class M, int I>

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include <cca/component/parameter_check.hpp>
+#include <cca/runtime/stoppable_parts.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/space/space_schema.hpp>
@@ -68,6 +69,10 @@ std::string manifest_of() {
   for (int n = 0; n < g.node_count; ++n)
     text << "node " << path_of_node<D>(n) << ": " << g.nodes[n].item->component->name() << ", strategy "
          << g.nodes[n].item->strategy_key << ", in environment " << g.nodes[n].environment << '\n';
+  for (int p = 0; p < g.part_count; ++p) text << "part " << path_of_part<D>(p) << " may be stopped\n";
+  for (int r = 0; r < g.request_count; ++r)
+    text << "component " << path_of_node<D>(g.calls[g.requests[r].call].node)
+         << (g.requests[r].starts ? " starts " : " stops ") << path_of_part<D>(g.requests[r].part) << '\n';
   for (int o = 0; o < g.output_count; ++o) {
     text << "output " << port(g.outputs[o]) << " in ";
     write_space(text, *port_of(g, g.outputs[o]).space);

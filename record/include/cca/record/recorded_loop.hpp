@@ -39,9 +39,9 @@ struct recording_state {
   std::optional<recording_file<Whole>> file;  // the writing thread's
   std::vector<std::string> nodes;             // their paths
   std::vector<std::string> environments{{}};  // of one loop it has no name
-  std::vector<std::string> modes;
-  std::atomic<std::int64_t> lost{0};   // beats
-  std::atomic<std::uint64_t> told{0};  // events
+  std::vector<std::string> modes, parts;      // the paths of the parts
+  std::atomic<std::int64_t> lost{0};          // beats
+  std::atomic<std::uint64_t> told{0};         // events
   std::atomic<bool> is_broken{false};
 };
 
@@ -111,6 +111,11 @@ public:
     cdr_writer message(scratch);
     message.add(k).add(std::string_view(of.modes[cca::detail::array_size(mode)]).substr(0, 200));
     put({event_kind::mode, -1, k}, message.add(std::uint8_t{requested}).view());
+  }
+  void part_changed(int part, bool stops, bool requested, std::int64_t k) noexcept override {
+    cdr_writer message(scratch);
+    message.add(k).add(std::string_view(of.parts[cca::detail::array_size(part)]).substr(0, 200));
+    put({event_kind::part, -1, k}, message.add(std::uint8_t{stops}).add(std::uint8_t{requested}).view());
   }
   void late(int from, std::int64_t k) noexcept override {
     cdr_writer message(scratch);

@@ -61,6 +61,8 @@ public:
       all.nodes.push_back(cca::detail::path_of_node<whole>(n));
     all.environments = recorded::names_of_environments();
     all.modes = recorded::names_of_modes();
+    for (int p = 0; p < cca::detail::parts_kept<whole>; ++p)
+      all.parts.push_back(cca::detail::path_of_part<whole>(p));
     recorded::for_each(c, [&]<int Loop>() {
       auto& one = std::get<Loop>(loops);
       using loop = typename std::remove_cvref_t<decltype(one)>::element_type;
@@ -70,6 +72,7 @@ public:
     if (all.file) begin();
     recorded::attach(c, loops);
     c.recorded_into()->moved(c.state(), c.beat_index());
+    c.for_each_stopped_part([&](int p) { c.recorded_into()->part_changed(p, true, false, c.beat_index()); });
   }
   ~recorder() { close(); }
   recorder(const recorder&) = delete;

@@ -7,6 +7,7 @@
 // - /cca/state: the life-cycle
 // - /cca/fault: component and reason
 // - /cca/mode: of a set of modes: the mode, at the start and where it changes
+// - /cca/part: parts that may be stopped: where one is stopped or started
 // - /cca/late, /cca/skipped: of a deployment: samples that came late, beats that an environment left out
 // - /cca/lost: beats that did not fit into the ring
 //
@@ -42,8 +43,9 @@ namespace cca::recording::detail {
 
 inline constexpr std::string_view state_topic = "/cca/state", fault_topic = "/cca/fault",
                                   lost_topic = "/cca/lost", mode_topic = "/cca/mode",
-                                  late_topic = "/cca/late", skipped_topic = "/cca/skipped",
-                                  parameter_topics = "/cca/parameters/", viewer_topics = "/ros2";
+                                  part_topic = "/cca/part", late_topic = "/cca/late",
+                                  skipped_topic = "/cca/skipped", parameter_topics = "/cca/parameters/",
+                                  viewer_topics = "/ros2";
 
 // "dmp", "dmp.status", "dmp.*" or "*".
 inline bool is_in_scope(std::string_view path, std::string_view scope) {
@@ -114,6 +116,10 @@ public:
       mode = file.channel(mode_topic, "cca/msg/mode",
                           "int64 beat  # from which on it is active\nstring mode\n"
                           "bool requested  # by a component\n");
+    if (cca::detail::counts_of<Graph>.part_count > 0)
+      part = file.channel(part_topic, "cca/msg/part",
+                          "int64 beat  # from which on it rests, or runs again\nstring part\n"
+                          "bool stopped\nbool requested  # by a component\n");
   }
 
   void note(const std::string& name, const text_map& entries) { file.metadata(name, entries); }
@@ -152,6 +158,7 @@ public:
                                   : e.kind == event_kind::state    ? state
                                   : e.kind == event_kind::fault    ? fault
                                   : e.kind == event_kind::mode     ? mode
+                                  : e.kind == event_kind::part     ? part
                                   : e.kind == event_kind::late     ? late
                                                                    : skipped;
     file.message(channel, time_of(e.beat), time_of(e.beat), payload);
@@ -205,7 +212,7 @@ private:
   std::vector<view> views;
   std::int64_t view_period = 0;
   static constexpr bool has_environments = Deployment<Graph>;
-  std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, late = 0, skipped = 0;
+  std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, part = 0, late = 0, skipped = 0;
   byte_writer message;
 };
 

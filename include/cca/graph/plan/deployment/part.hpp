@@ -54,7 +54,8 @@ constexpr flat_view take_part(flat_view g, int environment) {
     g.may_fault |= may_fault_in(g, c);
   }
   g.order_count = count;
-  for (int i = 0; i < g.input_count; ++i) g.inputs[i].in_beat = g.inputs[i].own_initial = false;
+  for (int i = 0; i < g.input_count; ++i)
+    g.inputs[i].in_beat = g.inputs[i].known_now = g.inputs[i].own_initial = false;
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];
     out.storage = storage_kind::none;

@@ -22,6 +22,8 @@ inline constexpr flat_view shown_plan = [] {
   v.outputs = const_cast<output*>(plan.outputs.data());
   v.links = const_cast<link*>(plan.links.data());
   v.order = const_cast<int*>(plan.order.data());
+  v.parts = const_cast<stoppable_part*>(plan.parts.data());
+  v.requests = const_cast<part_request*>(plan.requests.data());
   return v;
 }();
 
@@ -70,6 +72,7 @@ struct modes_of<M, list<Items...>> {
         const auto& one = graph_size<G>;
         sum.nodes += one.nodes, sum.scopes += one.scopes, sum.calls += one.calls;
         sum.inputs += one.inputs, sum.outputs += one.outputs;
+        sum.parts += one.parts, sum.part_requests += one.part_requests;
       }
     };
     (add(box<typename item_of_modes<Items>::graph>{}), ...);
@@ -137,9 +140,14 @@ struct node_types<mode_part<M, I>, Node> : node_types<typename mode_part<M, I>::
 
 // Stores what another mode reads later, too.
 constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
+  // From here on parts have the numbers that all modes share.
+  for (int r = 0; r < g.request_count; ++r)
+    g.requests[r].part = sharing::find_part(view.g, g.requests[r].part, view.whole);
+  for (int n = 0; n < g.node_count; ++n)
+    g.nodes[n].part = sharing::find_part(view.g, g.nodes[n].part, view.whole);
   for (int c = 0; c < g.call_count; ++c) {
     const auto& shared = view.whole.calls[view.shared_call(c)];
-    g.calls[c].unsteady = g.calls[c].fires.known() && shared.fires.dynamic();
+    g.calls[c].unsteady = g.calls[c].own_clock.known() && shared.own_clock.dynamic();
     g.calls[c].other_clocks = shared.other_clocks;
   }
   for (int o = 0; o < g.output_count; ++o) {

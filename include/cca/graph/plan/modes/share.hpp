@@ -29,6 +29,7 @@ struct sharing {
       added = from.scopes[s];
       if (added.parent >= 0) added.parent += first_scope;
     }
+    for (int p = 0; p < from.part_count; ++p) join_part(mode, p, first_scope);
     for (int n = 0; n < from.node_count; ++n) {
       const auto& node = from.nodes[n];
       const auto path = path_hash(from.scopes[node.scope], node.item->from, node.item->from_hash);
@@ -37,11 +38,48 @@ struct sharing {
     }
   }
 
+  // A part is one of the whole set if each mode that has its node lets it be stopped.
+  constexpr void join_part(int mode, int part, int first_scope) {
+    const auto& from = *all.modes[mode].plan;
+    const auto& own = from.parts[part];
+    for (int m = 0; m < all.count; ++m)
+      if (has_other_node(*all.modes[m].plan, own.hash)) return;
+    int shared = 0;
+    while (shared < to.part_count && to.parts[shared].hash != own.hash) ++shared;
+    if (shared == to.part_count) {
+      to.parts[to.part_count++] = {.parent = find_part(from, own.parent, to),
+                                   .item = own.item,
+                                   .scope = own.scope + first_scope,
+                                   .hash = own.hash};
+    }
+    to.parts[shared].modes |= bit_of(mode);
+  }
+  // A node of this path that can't be stopped.
+  static constexpr bool has_other_node(const flat_view& g, std::uint64_t path) {
+    for (int p = 0; p < g.part_count; ++p)
+      if (g.parts[p].hash == path) return false;
+    for (int s = 1; s < g.scope_count; ++s)
+      if (g.scopes[s].hash == path) return true;
+    for (int n = 0; n < g.node_count; ++n)
+      if (const auto& node = g.nodes[n];
+          path_hash(g.scopes[node.scope], node.item->from, node.item->from_hash) == path)
+        return true;
+    return false;
+  }
+  // The part of all modes that is this one of a mode, or the next one around it; -1: none.
+  static constexpr int find_part(const flat_view& mode, int part, const flat_view& whole) {
+    for (; part >= 0; part = mode.parts[part].parent)
+      for (int shared = 0; shared < whole.part_count; ++shared)
+        if (whole.parts[shared].hash == mode.parts[part].hash) return shared;
+    return -1;
+  }
+
   constexpr void add_node(int mode, int n, int first_scope) {
     const auto& from = *all.modes[mode].plan;
     auto& added = to.nodes[to.node_count];
     added = from.nodes[n];
     added.scope += first_scope;
+    added.part = find_part(from, added.part, to);
     added.first_call = to.call_count;
     added.modes = bit_of(mode);
     for (int c = 0; c < added.call_count; ++c) {
@@ -51,7 +89,7 @@ struct sharing {
       own.node = to.node_count;
       own.first_input = 0;
       own.first_output = to.output_count;
-      own.longest_period = call.fires.known() ? call.fires.period : 1;
+      own.longest_period = call.own_clock.known() ? call.own_clock.period : 1;
       for (int p = 0; p < call.function->output_count; ++p) {
         to.outputs[to.output_count] = {};
         to.outputs[to.output_count].call = to.call_count;
@@ -74,13 +112,14 @@ struct sharing {
     // It can be stopped on its own if each of its modes says so.
     if (!from.nodes[n].item->is_stoppable()) node.item = from.nodes[n].item;
     for (int c = 0; c < node.call_count; ++c) {
-      const auto fires = from.calls[from.nodes[n].first_call + c].fires;
+      const auto& other = from.calls[from.nodes[n].first_call + c];
+      const clock ticks = other.own_clock;
       auto& own = to.calls[node.first_call + c];
-      if (!(own.fires == fires)) {
-        own.fires = dynamic_clock;
+      if (!(own.fires == other.fires && own.own_clock == ticks)) {
+        own.fires = own.own_clock = dynamic_clock;
         own.other_clocks = true;
       }
-      if (fires.known() && fires.period > own.longest_period) own.longest_period = fires.period;
+      if (ticks.known() && ticks.period > own.longest_period) own.longest_period = ticks.period;
     }
   }
 
@@ -131,7 +170,7 @@ struct sharing {
       const auto& node = to.nodes[n];
       if (node.modes == everywhere) continue;
       for (int c = node.first_call; c < node.first_call + node.call_count; ++c)
-        to.calls[c].fires = dynamic_clock;
+        to.calls[c].fires = to.calls[c].own_clock = dynamic_clock;
       check<when::missing_node>(to, {.item = node.item,
                                      .scope = node.scope,
                                      .component = n,
@@ -143,6 +182,25 @@ struct sharing {
         check<when::requested_mode>(to, {.item = &item_of_call(to, to.calls[c]),
                                          .scope = scope_of_call(to, to.calls[c]),
                                          .name = to.calls[c].function->requested_modes[r]});
+  }
+
+  // What a component stops is a part in each mode that has its node.
+  constexpr void check_requests() {
+    for (int m = 0; m < all.count; ++m) {
+      const auto& g = *all.modes[m].plan;
+      for (int r = 0; r < g.request_count; ++r) {
+        const auto& asking = g.calls[g.requests[r].call];
+        const auto& wanted = g.parts[g.requests[r].part];
+        bool is_shared = false;
+        for (int p = 0; p < to.part_count; ++p) is_shared |= to.parts[p].hash == wanted.hash;
+        if (!is_shared)
+          check<when::unknown_part>(to,
+                                    {.item = &item_of_call(g, asking),
+                                     .scope = to.nodes[view_of(m).shared_node(asking.node)].scope,
+                                     .in_mode = m,
+                                     .name = asking.function->asked_parts[r - asking.first_request].path});
+      }
+    }
   }
 
   // Each actuator, in each pair of modes.
@@ -194,6 +252,7 @@ struct sharing {
     if (to.found.is_broken()) return;
     for (int m = 0; m < all.count; ++m) join_samples(m);
     check_nodes();
+    check_requests();
     check_commands();
   }
 };

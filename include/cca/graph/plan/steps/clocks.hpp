@@ -12,14 +12,37 @@ constexpr clock clock_of(const flat_view& g, const call& t) {
   return with_arrivals(g, t, [&](const arrivals& inputs) { return strategy.clock_from(inputs); });
 }
 
+// The clock of a function of a part, while that is started. When it starts again nothing that has arrived is
+// fresh, and it has not fired: so only a clock counts that depends on no earlier beat.
+constexpr clock clock_in_part(const flat_view& g, const call& t) {
+  const auto& strategy = strategy_of_call(g, t);
+  if (!strategy.has_clock_from) return strategy.in_combination;
+  if (!strategy.fires_on_arrival || strategy.part_count > 0) return dynamic_clock;
+  return with_arrivals(g, t, [&](const arrivals& inputs) {
+    for (const auto& one : inputs)
+      if (one.queued || !(one.when == inputs.begin()->when)) return dynamic_clock;
+    return strategy.clock_from(inputs);
+  });
+}
+
 constexpr flat_view find_clocks(flat_view g) {
   // First the clocks that depend on no arrivals: a delayed wire may lead back to an earlier function.
   // What comes from another environment may come late.
-  for (int t = 0; t < g.call_count; ++t)
-    g.calls[t].fires = g.calls[t].elsewhere ? dynamic_clock : strategy_of_call(g, g.calls[t]).alone;
+  const auto set = [&](int c, clock found) {
+    auto& t = g.calls[c];
+    t.own_clock = found;
+    t.fires = part_of_call(g, c) >= 0 && found.known() ? dynamic_clock : found;
+  };
+  for (int t = 0; t < g.call_count; ++t) {
+    const auto& strategy = strategy_of_call(g, g.calls[t]);
+    set(t, g.calls[t].elsewhere      ? dynamic_clock
+           : part_of_call(g, t) >= 0 ? strategy.in_combination
+                                     : strategy.alone);
+  }
   for (int r = 0; r < g.order_count; ++r) {
-    auto& t = g.calls[g.order[r]];
-    if (t.fires.dynamic()) t.fires = clock_of(g, t);
+    const int c = g.order[r];
+    const auto& t = g.calls[c];
+    if (t.own_clock.dynamic()) set(c, part_of_call(g, c) >= 0 ? clock_in_part(g, t) : clock_of(g, t));
   }
 
   for (int o = 0; o < g.output_count; ++o) {

@@ -122,6 +122,19 @@ struct connector {
     if (!found) check<when::unknown_port>(g, {.item = &item, .scope = in_scope});
   }
 
+  // A part that a component stops or starts: in its own graph, else in the nearest graph around it.
+  constexpr void find_part_of(part_request& request, std::string_view path) {
+    const auto& t = g.calls[request.call];
+    const bool from_outermost = path.starts_with('/');
+    if (from_outermost) path.remove_prefix(1);
+    const auto at = [&](int s) { return path_hash(g.scopes[s], path, hash(path)); };
+    for (int s = from_outermost ? 0 : scope_of_call(g, t); s >= 0 && request.part < 0; s = g.scopes[s].parent)
+      for (int p = 0; p < g.part_count && request.part < 0; ++p)
+        if (g.parts[p].hash == at(s)) request.part = p;
+    if (request.part < 0)
+      check<when::unknown_part>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .name = path});
+  }
+
   constexpr void run(int link_capacity) {
     for (int s = 0; s < g.scope_count; ++s) {
       const auto& graph = *g.scopes[s].graph;
@@ -130,6 +143,10 @@ struct connector {
         else if (graph.items[i].kind == item_kind::observe) add_watch(graph.items[i], s);
     }
     add_observers(link_capacity);
+    for (int r = 0; r < g.request_count; ++r) {
+      const auto& t = g.calls[g.requests[r].call];
+      find_part_of(g.requests[r], t.function->asked_parts[r - t.first_request].path);
+    }
     for (int i = 0; i < g.input_count; ++i) {
       const auto& t = g.calls[g.inputs[i].call];
       if (!g.inputs[i].wired)

@@ -59,7 +59,10 @@ struct flattener {
       check<when::component_function>(g, {.item = &item, .scope = node.scope, .function = &function});
     g.may_fault |= function.may_fault;
     const int call_index = g.call_count++;
-    g.calls[call_index] = {.node = node_index, .phase = phase, .function = &function};
+    g.calls[call_index] = {
+        .node = node_index, .phase = phase, .function = &function, .first_request = g.request_count};
+    for (int r = 0; r < function.asked_count; ++r)
+      g.requests[g.request_count++] = {.call = call_index, .starts = function.asked_parts[r].starts};
     ++node.call_count;
     add_ports(function, call_index, item, node.scope, node_hash);
   }
@@ -68,7 +71,9 @@ struct flattener {
     const auto& component = *item.component;
     const int node_index = g.node_count++;
     auto& node = g.nodes[node_index];
-    node = {.item = &item, .scope = in_scope, .first_call = g.call_count};
+    const int part = part_of(item, in_scope, node_hash);
+    node = {.item = &item, .scope = in_scope, .first_call = g.call_count, .part = part};
+    if (part >= 0) check<when::node_of_part>(g, {.item = &item, .scope = in_scope});
     is_sound = component.key == last_sound;
     if (!is_sound) check<when::component_kind>(g, {.item = &item, .scope = in_scope});
     if (component.sense)
@@ -106,12 +111,18 @@ struct flattener {
     if (!found) check<when::unknown_port>(g, facts);
   }
 
-  constexpr void add_graph(const graph_info& graph,
-                           int parent,
-                           ref<item_info> item,
-                           std::uint64_t scope_hash) {
+  // The innermost part of a node: itself, if it may be stopped, or that of the graph around it.
+  constexpr int part_of(const item_info& item, int in_scope, std::uint64_t node_hash) {
+    const int around = g.scopes[in_scope].part;
+    if (!item.is_stoppable()) return around;
+    g.parts[g.part_count] = {.parent = around, .item = &item, .scope = in_scope, .hash = node_hash};
+    return g.part_count++;
+  }
+
+  constexpr void add_graph(
+      const graph_info& graph, int parent, ref<item_info> item, std::uint64_t scope_hash, int own_part = -1) {
     const int index = g.scope_count++;
-    g.scopes[index] = {parent, item, &graph, scope_hash};
+    g.scopes[index] = {parent, item, &graph, scope_hash, own_part};
     for (int i = 0; i < graph.count; ++i) {
       const auto& part = graph.items[i];
       const finding facts{.item = &part, .scope = index};
@@ -124,7 +135,7 @@ struct flattener {
         add_component(part, index, node_hash);
       } else {
         if (part.strategy) check<when::stated_strategy>(g, facts);
-        add_graph(*part.inner, index, &part, node_hash);
+        add_graph(*part.inner, index, &part, node_hash, part_of(part, index, node_hash));
       }
     }
     for (int i = 0; i < graph.count; ++i)

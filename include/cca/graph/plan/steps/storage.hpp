@@ -55,7 +55,6 @@ struct storage_step {
 
   constexpr void choose_storage(int o) {
     auto& out = g.outputs[o];
-    const auto published_at = published(g, out);
     int depth = 0;
     bool outlives_beat = out.watched, is_read = out.watched;
     const bool comes_from_elsewhere = g.calls[out.call].elsewhere;
@@ -71,7 +70,10 @@ struct storage_step {
       if (in.delay > 0) {
         read_later(in.delay, in.call);
       } else {
-        in.in_beat = contains(published_at, g.calls[in.call].fires) || fires_with(in);
+        const clock published_at = published_to(g, out, in.call);
+        const bool is_contained = contains(published_at, g.calls[in.call].own_clock);
+        in.known_now = is_contained && published_at.known();
+        in.in_beat = is_contained || fires_with(in);
         if (!in.in_beat || !in_one_part(g, in.call, out.call)) outlives_beat = true;
       }
     }

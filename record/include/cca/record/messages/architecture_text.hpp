@@ -9,6 +9,7 @@
 #include <string>
 
 #include <cca/graph/modes.hpp>
+#include <cca/runtime/stoppable_parts.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/space/space_schema.hpp>
 
@@ -43,6 +44,11 @@ std::string architecture_text() {
     else if (fires.never()) text << ", never fires\n";
     else text << ", fires every " << fires.period << " beats from " << fires.first << '\n';
   }
+  for (int p = 0; p < g.part_count; ++p) text << "part " << path_of_part<Graph>(p) << " may be stopped\n";
+  for (int r = 0; r < g.request_count; ++r)
+    text << "component " << path_of_node<Graph>(g.calls[g.requests[r].call].node)
+         << (g.requests[r].starts ? " starts " : " stops ") << path_of_part<Graph>(g.requests[r].part)
+         << '\n';
   for (int o = 0; o < g.output_count; ++o) {
     const space_schema space(*port_of(g, g.outputs[o]).space);
     text << "output " << path_of_node<Graph>(g.calls[g.outputs[o].call].node) << '.'

@@ -30,9 +30,10 @@ struct recorded_sample {
 struct recorded_event {
   event_kind kind{};
   int node = -1;            // parameters
-  std::string text{};       // the state, the mode, the reason of a fault, the environment
+  std::string text{};       // the state, the mode, the part, the reason of a fault, the environment
   std::string component{};  // of a fault; of late samples the environment that they come from
-  bool requested = false;   // a mode, by a component
+  bool requested = false;   // a mode or a part, by a component
+  bool stopped = false;     // a part
   std::vector<unsigned char> parameters{};
 };
 struct recorded_item {
@@ -81,7 +82,7 @@ public:
   }
 
 private:
-  enum class use_kind { none, sample, parameters, state, fault, lost, mode, late, skipped };
+  enum class use_kind { none, sample, parameters, state, fault, lost, mode, part, late, skipped };
   struct channel_use {
     use_kind what = use_kind::none;
     int number = 0;  // of the output, of the node
@@ -136,6 +137,7 @@ private:
     if (topic == fault_topic) use.what = use_kind::fault;
     if (topic == lost_topic) use.what = use_kind::lost;
     if (topic == mode_topic) use.what = use_kind::mode;
+    if (topic == part_topic) use.what = use_kind::part;
     if (topic == late_topic) use.what = use_kind::late;
     if (topic == skipped_topic) use.what = use_kind::skipped;
     if (use.what != use_kind::none && channel.encoding != "cdr")
@@ -174,13 +176,16 @@ private:
     e.kind = use.what == use_kind::state   ? event_kind::state
              : use.what == use_kind::fault ? event_kind::fault
              : use.what == use_kind::mode  ? event_kind::mode
+             : use.what == use_kind::part  ? event_kind::part
              : use.what == use_kind::late  ? event_kind::late
                                            : event_kind::skipped;
     if (e.kind == event_kind::skipped) from.number<std::int64_t>();
     if (e.kind == event_kind::fault) e.component = from.text();
     e.text = from.text();
     if (e.kind == event_kind::late) e.component = from.text();
-    if (e.kind == event_kind::mode) e.requested = from.number<std::uint8_t>() != 0;
+    if (e.kind == event_kind::part) e.stopped = from.number<std::uint8_t>() != 0;
+    if (e.kind == event_kind::mode || e.kind == event_kind::part)
+      e.requested = from.number<std::uint8_t>() != 0;
     return from.is_at_end();
   }
   static std::size_t array_size_of(int output) {

@@ -131,6 +131,8 @@ private:
       mode_recorded = e.text;
       if constexpr (Modes<Graph>)
         if (!e.requested) c.switch_to(e.text);
+    } else if (e.kind == event_kind::part) {
+      if (!e.requested || asks_a_resource_node(e.text)) set_part(e.text, e.stopped);
     } else if (e.kind == event_kind::late) {
       differs_by_clock("the samples of `" + e.component + "` had not come to `" + e.text + "`");
     } else if (e.kind == event_kind::skipped) {
@@ -139,6 +141,22 @@ private:
       move(e.text);
     }
   }
+  // The replayed components ask by themselves, but resource nodes are not there.
+  static bool asks_a_resource_node(const std::string& part) {
+    const auto& plan = cca::detail::plan_of<graph>;
+    for (int r = 0; r < cca::detail::counts_of<graph>.request_count; ++r)
+      if (const auto& one = plan.requests[at(r)];
+          plan.calls[at(one.call)].phase != cca::detail::phase_of_beat::process &&
+          cca::detail::path_of_part<graph>(one.part) == part)
+        return true;
+    return false;
+  }
+  void set_part(const std::string& part, bool stops) {
+    if (c.state() != state::started && c.state() != state::faulted) return;
+    if (stops) c.stop(part);
+    else c.start(part);
+  }
+
   // A hook may refuse, for example without the name of a file.
   void move(const std::string& to) {
     try {

@@ -29,8 +29,9 @@ struct component_bad_result {
       const auto function = functions_of(*m.item().component)[which];
       if (!function || function->bad_result.empty()) continue;
       m.say() << ": `" << names[which] << "` returns `" << function->bad_result
-              << "`, but it may return only ports (cca::out, cca::maybe), a cca::fault, a cca::done and "
-                 "cca::switch_to<...>, one or several in a std::tuple, or void";
+              << "`, but it may return only ports (cca::out, cca::maybe), a cca::fault, a cca::done, "
+                 "cca::switch_to<...>, cca::stops<...> and cca::starts<...>, one or several in a std::tuple, "
+                 "or void";
       return;
     }
   }
