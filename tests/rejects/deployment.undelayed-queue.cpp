@@ -1,5 +1,5 @@
-// EXPECT: deployment\.undelayed: .* cca::delayed<1>>, or a greater delay, or place both in one environment \(a queue works only inside of one\)
-// A queue works only inside of one environment.
+// EXPECT: deployment\.undelayed: .* write cca::wire<`gait\.angles`, `recorder\.angles`, cca::delayed<1>, cca::queue<4, cca::drop_oldest>>, or a greater delay, or place both in one environment
+// A queue between two environments is delayed, too: its samples enter it when they arrive.
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"
@@ -12,7 +12,10 @@ struct walk : cca::graph<cca::rate<1000>,
 #if CCA_REJECT
                          cca::wire<"gait.angles", "recorder.angles", cca::queue<4, cca::drop_oldest>>
 #else
-                         cca::wire<"gait.angles", "recorder.angles", cca::delayed<1>>
+                         cca::wire<"gait.angles",
+                                   "recorder.angles",
+                                   cca::delayed<1>,
+                                   cca::queue<4, cca::drop_oldest>>
 #endif
                          > {
 };

@@ -25,7 +25,7 @@ OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardwar
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
 # Folders of parts: each includes only from those before it. "." is what stands directly in the part's folder.
-ROOMS = {"runtime": ["signals", "tracing", "recording", ".", "live", "modes", "environments", "transports"],
+ROOMS = {"runtime": ["signals", "samples", "tracing", "recording", ".", "live", "modes", "environments", "transports"],
          "hardware": ["bus", "drives", "safety", "robot", "oncilla", "virtual_drives"]}
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 

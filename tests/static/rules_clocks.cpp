@@ -115,6 +115,40 @@ static_assert(tells<overflow_at_first<10>, overflow_at_first<11>>(
      "them is full sooner or later, which cca::reject forbids: read sooner, or say what is lost: "
      "cca::drop_oldest or cca::drop_newest"}));
 
+// A queue that several wires fill. Each beat of a period counts: two of four may bring three samples.
+template <class Second, class Reader, int Room, class... Delay>
+struct merged_overflow : khz<cca::node<"a", source<>, cca::timed<2>>,
+                             cca::node<"c", source<>, Second>,
+                             cca::node<"b", sink<>, Reader>,
+                             cca::wire<"a.y", "b.x", cca::merged<Room, cca::reject>>,
+                             cca::wire<"c.y", "b.x", cca::merged<Room, cca::reject>, Delay...>> {};
+static_assert(tells<merged_overflow<cca::timed<1>, cca::restless, 8>,
+                    merged_overflow<cca::timed<2>, cca::restless, 8>>(
+    {"queue.overflow", "a.y -> b.x",
+     "`b.x` is read at beats known only at run time, but samples come from `a.y` (published every 2 beats) "
+     "and from `c.y` (published every beat), so the queue of 8 is full sooner or later, which cca::reject "
+     "forbids: read faster, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
+static_assert(!cca::well_formed<merged_overflow<cca::timed<2>, cca::restless, 1>>);  // both in one beat
+static_assert(cca::well_formed<merged_overflow<cca::timed<2>, cca::restless, 2>>);
+static_assert(cca::well_formed<merged_overflow<cca::timed<2, 1>, cca::restless, 1>>);
+static_assert(!cca::well_formed<merged_overflow<cca::timed<2, 1>, cca::restless, 1, cca::delayed<1>>>);
+static_assert(cca::well_formed<merged_overflow<cca::timed<2, 1>, cca::restless, 1, cca::delayed<2>>>);
+static_assert(!cca::well_formed<merged_overflow<cca::timed<2>, cca::timed<2>, 100>>);
+static_assert(!cca::well_formed<merged_overflow<cca::inactive, cca::inactive, 100>>);
+static_assert(
+    !cca::well_formed<merged_overflow<cca::timed<4>, cca::timed<2, 9>, 5>>);  // until it is first read
+static_assert(cca::well_formed<merged_overflow<cca::timed<4>, cca::timed<1, 8>, 8>>);
+
+// A delayed sample fills the queue when it arrives.
+template <int Room, int Delay>
+struct delayed_overflow : khz<cca::node<"a", source<>>,
+                              cca::node<"b", late_reader, cca::port_triggered<"late">>,
+                              cca::wire<"a.y", "b.late", cca::delayed<10>>,
+                              cca::wire<"a.y", "b.x", cca::queue<Room, cca::reject>, cca::delayed<Delay>>> {};
+static_assert(!cca::well_formed<delayed_overflow<7, 3>>);
+static_assert(cca::well_formed<delayed_overflow<8, 3>>);
+static_assert(cca::well_formed<delayed_overflow<1, 10>>);
+
 // What waits when it is first read waits as long ever after.
 template <int Room, int Beats>
 struct age_at_first : khz<cca::node<"a", source<>>,

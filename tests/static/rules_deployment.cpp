@@ -71,11 +71,28 @@ static_assert(tells<undelayed<cca::latest>, undelayed<cca::delayed<1>>>(
      "`a.y` is published in environment `one` and read in environment `two`, so it takes at least a beat to "
      "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>>, or a greater delay, or place both in one "
      "environment"}));
-static_assert(tells<undelayed<cca::queue<2, cca::drop_oldest>>, undelayed<cca::delayed<1>>>(
+static_assert(tells<undelayed<cca::queue<2, cca::drop_oldest>>,
+                    undelayed<cca::queue<2, cca::drop_oldest>, cca::delayed<1>>>(
     {"deployment.undelayed", "a.y -> b.x",
      "`a.y` is published in environment `one` and read in environment `two`, so it takes at least a beat to "
-     "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>>, or a greater delay, or place both in one "
-     "environment (a queue works only inside of one)"}));
+     "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>, cca::queue<2, cca::drop_oldest>>, or a "
+     "greater "
+     "delay, or place both in one environment"}));
+
+// Wires that are merged: each that crosses is delayed.
+template <class... Delay>
+struct undelayed_merge : khz<cca::node<"a", source<>>,
+                             cca::node<"c", source<>>,
+                             cca::node<"b", sink<>>,
+                             cca::wire<"c.y", "b.x", cca::merged<2, cca::drop_newest>>,
+                             cca::wire<"a.y", "b.x", cca::merged<2, cca::drop_newest>, Delay...>> {};
+template <class... Delay>
+struct merging : cca::deployment<undelayed_merge<Delay...>, some<"one", "a">, rest<"two">> {};
+static_assert(tells<merging<>, merging<cca::delayed<1>>>(
+    {"deployment.undelayed", "a.y -> b.x",
+     "`a.y` is published in environment `one` and read in environment `two`, so it takes at least a beat to "
+     "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>, cca::merged<2, cca::drop_newest>>, or a "
+     "greater delay, or place both in one environment"}));
 
 template <class... Policy>
 struct hearing {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -93,6 +94,8 @@ public:
   }
 
   constexpr bool fresh() const { return arrived; }
+  // How many samples the queue of its wire has lost because it was full, so far; 0: the wire has no queue.
+  constexpr std::int64_t dropped() const { return lost; }
 
   // For the beat: the sample as its writer left it. One block, because a copy number by number is not
   // optimised away.
@@ -107,8 +110,13 @@ public:
     this->time = never;
     arrived = false;
   }
+  constexpr void show_dropped(std::int64_t samples) {
+    constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
+    lost = static_cast<std::uint32_t>(samples < most ? samples : most);
+  }
 
 private:
+  std::uint32_t lost = 0;  // not larger: a port is no larger for it
   bool arrived = false;
 };
 

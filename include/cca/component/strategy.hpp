@@ -5,11 +5,15 @@
 //   static bool fires(cca::beat now, const Inputs& in);
 //
 // `in` has, of each input, what the component would read: `in.template get<"x">()` with its value, `origin()`
-// and `fresh()`; and of all inputs `any_fresh()`, `all_fresh()`, `share_new_origin()`, `fresh<"x">()`,
-// `beats_since_fired()` and `is_stopped()`.
+// and `fresh()`; `fresh<"x">()`, `waiting<"x">()`: how many samples wait in its queue (without one: 1 if it
+// is fresh, else 0), and `arrivals<"x">()`: how many have arrived in this beat; and of all inputs
+// `any_fresh()`, `all_fresh()`, `share_new_origin()`, `beats_since_fired()` and `is_stopped()`.
 //
-// `fires` is all that a strategy needs: the loop asks it in each beat. What else it states (all optional)
-// lets the compiler work out clocks, refuse mistakes and draw the strategy:
+// `fires` is all that a strategy needs: the loop asks it in each beat, once. A strategy with data members has
+// a state: then `fires` is no static member, each node has a strategy object of its own, and under any_of,
+// all_of and stoppable it is asked in each beat too, whatever the others say. It begins anew when its
+// component is stopped. What else it states (all optional) lets the compiler work out clocks, refuse mistakes
+// and draw the strategy:
 //
 //   add_name(text)          its name in pictures and messages; without it, the name of the type
 //   clock                   the beats in which it fires, whatever arrives
@@ -24,6 +28,8 @@
 //   fires_on_arrival        true if it fires only in beats in which a sample arrives
 //   needs_one_origin        true if its inputs must share an origin (strategy.coordination)
 //   is_stoppable            true if its component can be stopped on its own
+//   counts_arrivals         true if it asks `arrivals()` of a queue; that of a strategy which states no clock
+//                           is true by itself
 //   parts                   detail::list of the strategies that it combines
 //
 // Cost: a strategy whose clock is known costs a test of the beat's index, or nothing. Example of one's own:
@@ -35,6 +41,7 @@
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include <cca/base/fixed_string.hpp>
 #include <cca/base/ref.hpp>
@@ -93,7 +100,8 @@ struct strategy_info {
   input_names named_inputs{};
   std::string_view mistake{};
   bool excludes_itself = false, for_resource_nodes = false, first_dt_is_period = false,
-       fires_on_arrival = false, needs_one_origin = false, is_stoppable = false, is_default = false;
+       fires_on_arrival = false, needs_one_origin = false, is_stoppable = false, is_default = false,
+       counts_arrivals = false, keeps_state = false;
   const strategy_info* const* parts = nullptr;
   int part_count = 0;
 };
@@ -117,6 +125,15 @@ struct infos_of<list<Parts...>> {
   static constexpr std::array<const strategy_info*, sizeof...(Parts) + 1> all{&strategy_of<Parts>...,
                                                                               nullptr};
 };
+
+// Does a strategy ask how many samples have arrived in a queue? The parts of one are asked by themselves.
+template <class Strategy>
+constexpr bool counts_arrivals() {
+  if constexpr (requires { Strategy::counts_arrivals; }) return Strategy::counts_arrivals;
+  else
+    return !requires { Strategy::clock; } && !requires { &Strategy::clock_from; } &&
+           !requires { Strategy::needs_one_origin; } && !requires { typename Strategy::parts; };
+}
 
 template <class Strategy>
 constexpr strategy_info make_strategy_info() {
@@ -143,9 +160,12 @@ constexpr strategy_info make_strategy_info() {
   if constexpr (requires { Strategy::fires_on_arrival; }) s.fires_on_arrival = Strategy::fires_on_arrival;
   if constexpr (requires { Strategy::needs_one_origin; }) s.needs_one_origin = Strategy::needs_one_origin;
   if constexpr (requires { Strategy::is_stoppable; }) s.is_stoppable = Strategy::is_stoppable;
+  s.counts_arrivals = counts_arrivals<Strategy>();
+  s.keeps_state = !std::is_empty_v<Strategy>;
   if constexpr (requires { typename Strategy::parts; }) {
     s.parts = infos_of<typename Strategy::parts>::all.data();
     s.part_count = static_cast<int>(infos_of<typename Strategy::parts>::all.size()) - 1;
+    for (int i = 0; i < s.part_count; ++i) s.counts_arrivals |= s.parts[i]->counts_arrivals;
   }
   return s;
 }
@@ -173,12 +193,54 @@ struct any_inputs {
   port get() const;
   template <fixed_string Name>
   bool fresh() const;
+  template <fixed_string Name>
+  int waiting() const;
+  template <fixed_string Name>
+  int arrivals() const;
   bool any_fresh() const;
   bool all_fresh() const;
   bool share_new_origin() const;
   std::int64_t beats_since_fired() const;
   bool is_stopped() const;
 };
+
+// ---- of a strategy that combines others, one of which has a state ----
+//
+// An object of each. All of them are asked in each beat, also where the first answers tell the result.
+
+template <int Number, class Strategy>
+struct strategy_part {
+  [[no_unique_address]] Strategy strategy{};
+};
+
+// What all parts have said.
+struct strategy_answers {
+  bool any = false, all = true;
+  constexpr void add(bool fires) {
+    any |= fires;
+    all &= fires;
+  }
+};
+
+template <class Strategies, class Numbers>
+struct numbered_parts;
+template <class... Strategy, int... Number>
+struct numbered_parts<list<Strategy...>, std::integer_sequence<int, Number...>>
+    : strategy_part<Number, Strategy>... {
+  template <class Inputs>
+  constexpr strategy_answers ask(beat now, const Inputs& in) {
+    strategy_answers answers;
+    (answers.add(strategy_part<Number, Strategy>::strategy.fires(now, in)), ...);
+    return answers;
+  }
+};
+
+template <class... Strategies>
+using strategy_parts =
+    numbered_parts<list<Strategies...>, std::make_integer_sequence<int, sizeof...(Strategies)>>;
+
+template <class... Strategies>
+inline constexpr bool keep_state = !(std::is_empty_v<Strategies> && ...);
 
 }  // namespace cca::detail
 

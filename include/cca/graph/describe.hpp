@@ -153,11 +153,12 @@ private:
     const std::string_view space = port_of(g, out).space->name;
     all += line_break + (line_break[0] == '<' ? String(space) : quoted(space));
     if (g.hz > 0 && c.known()) all += ", " + hertz(g.hz / static_cast<double>(c.period));
-    if (in.wire->policy == policy_kind::delayed)
+    if (in.delay > 0)
       all += line_break + (crosses(in) ? joined(transport, line_break) : String()) + "delayed " +
-             std::to_string(in.wire->number);
-    if (in.wire->policy == policy_kind::queue)
-      all += String(line_break) + "queue " + std::to_string(in.wire->number);
+             std::to_string(in.delay);
+    if (in.wire->has_queue())
+      all += String(line_break) + (in.wire->policy == policy_kind::merged ? "merged " : "queue ") +
+             std::to_string(in.wire->capacity);
     return line_break[0] == '<' ? keep_breaks(all) : all;
   }
 

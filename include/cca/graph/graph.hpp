@@ -27,7 +27,8 @@ struct graph {
 template <fixed_string Name, class Component, class Strategy = detail::by_default>
 struct node {};
 
-// From an output to an input. Options: a policy, and an `initial`.
+// From an output to an input. Options: a policy, and an `initial`. A `delayed` may stand beside a `queue` or
+// a `merged`: the sample enters the queue when it arrives.
 template <fixed_string From, fixed_string To, class... Options>
 struct wire {};
 
@@ -46,8 +47,13 @@ struct drop_oldest {};  // on a full queue the oldest waiting sample makes place
 struct drop_newest {};  // on a full queue the arriving sample is lost
 struct reject {};       // a full queue is a mistake: refused if the clocks prove it, else a fault
 
-template <int Capacity, class Full>
+template <int Capacity, class Full = drop_oldest>
 struct queue {};
+
+// Several wires may end at one input if each of them is `merged` with the same numbers: one queue takes what
+// they bring, in the order of arrival, and of one beat in the order in which it was published.
+template <int Capacity, class Full = drop_oldest>
+struct merged {};
 
 // What the input holds until a first sample has come: a number for each coordinate, or one for all.
 template <auto... Coordinates>

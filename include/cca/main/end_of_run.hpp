@@ -1,7 +1,8 @@
 // What the components of a controller say after a run (base/after_run.hpp), each with its path.
 //
 //   cca::causes_of(c)      what stopped it, a line each, the first cause first
-//   cca::summaries_of(c)   what was limited, a line for each component that limited something
+//   cca::summaries_of(c)   what was limited, a line for each component that limited something, and what full
+//                          queues have lost, a line for each input
 //
 // `c` is a cca::controller or a cca::deployed, between two beats. A fault is among the causes, with what its
 // component says about it. Test: tests/runtime/programs/descriptions.cpp.
@@ -26,6 +27,11 @@ std::vector<std::string> summaries_of(const Controller& c) {
     if constexpr (detail::HasSummary<C>)
       if (const std::string said = component.summary(); !said.empty())
         lines.push_back("`" + std::string(path) + "`: " + said);
+  });
+  c.for_each_queue([&](const std::string& input, std::int64_t lost, int room) {
+    if (lost > 0)
+      lines.push_back("`" + input + "`: its queue of " + std::to_string(room) + " was full and lost " +
+                      std::to_string(lost) + (lost == 1 ? " sample" : " samples"));
   });
   return lines;
 }

@@ -114,7 +114,12 @@ private:
           typename strategy_or_default<typename types::strategy, (sizeof...(Position) > 0)>::type;
       const inputs_view<Graph, Call> inputs{b, at, own};
       bool is_now = false;
-      CCA_INLINE_CALL is_now = strategy{}.fires(beat_of<Graph, Call>(b.k, own), inputs);
+      if constexpr (!std::is_empty_v<strategy>) {
+        strategy& kept = strategy_in<Graph, Call>(b.state);
+        CCA_INLINE_CALL is_now = kept.fires(beat_of<Graph, Call>(b.k, own), inputs);
+      } else {
+        CCA_INLINE_CALL is_now = strategy{}.fires(beat_of<Graph, Call>(b.k, own), inputs);
+      }
       if (!is_now) return {};
       if constexpr (c.stored_seen) own.oldest = oldest_seen();
       const std::int64_t last = own.last;

@@ -5,6 +5,7 @@
 //   is_here(node)                  whether this process runs it
 //   visit(f, self)                 f(number, component) for each, in declaration order
 //   forget_runs()                  sets the counts of the runs to zero
+//   for_each_state(f)              f.operator()<Graph>(state) for the state of each loop that it runs
 //
 // Threads: as of `Self`; period() and step_of() may be called by any thread at any time.
 #pragma once
@@ -16,6 +17,7 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/graph/diagnosis/unknown_path.hpp>
+#include <cca/runtime/dropped_samples.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/parameters_by_path.hpp>
 #include <cca/runtime/stoppable_parts.hpp>
@@ -23,8 +25,11 @@
 namespace cca::detail {
 
 template <class Self, class Graph>
-class component_host : public parameters_by_path<Self>, public stoppable_parts<Self, Graph> {
+class component_host : public parameters_by_path<Self>,
+                       public stoppable_parts<Self, Graph>,
+                       public dropped_samples<Self, Graph> {
   friend stoppable_parts<Self, Graph>;
+  friend dropped_samples<Self, Graph>;
 
 public:
   // Takes the parameters as they are: the defaults, or what has been set.

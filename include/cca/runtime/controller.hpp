@@ -68,6 +68,7 @@ private:
   friend host;
   friend detail::live_components;
   friend detail::stoppable_parts<controller, Graph>;
+  friend detail::dropped_samples<controller, Graph>;
 
   template <int Node>
   auto& component() {
@@ -86,6 +87,10 @@ private:
     f.template operator()<Graph>(self.state_of_all, self.k);
   }
   static constexpr bool is_here(int) { return true; }
+  template <class F>
+  void for_each_state(F f) const {
+    f.template operator()<Graph>(state_of_all);
+  }
 
   // Of a recordable graph: either beat is a function of its own, so that neither pays for the other.
   void advance() noexcept
@@ -108,7 +113,8 @@ private:
     if constexpr (detail::is_probed<Key>) state_of_all.begin_frame(k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->begin(k);
-    detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
+    if (detail::begins<Key>(state_of_all, outcome, k))
+      detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->end();
     if constexpr (detail::is_probed<Key>) state_of_all.end_frame();

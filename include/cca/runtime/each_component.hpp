@@ -67,6 +67,16 @@ void visit_firings([[maybe_unused]] State& state, [[maybe_unused]] int node, [[m
       if (one.node == node && one.firing >= 0) f(state.firings[one.firing]);
 }
 
+// Strategies of a component that have a state begin anew.
+template <class Graph, class State>
+void forget_strategies([[maybe_unused]] State& state, [[maybe_unused]] int node) {
+  [&]<int... Call>(std::integer_sequence<int, Call...>) {
+    const int all[] = {
+        0, (call_of<Graph, Call>.node == node ? (strategy_in<Graph, Call>(state) = {}, 0) : 0)...};
+    (void)all;
+  }(chosen<counts_of<Graph>.call_count, keeps_strategy<Graph>>{});
+}
+
 // Whether a component is so. A list, since a fold has at most 256 operands (docs/compilers.md).
 template <class Graph, class Question>
 inline constexpr bool any_component = []<int... First>(std::integer_sequence<int, First...>) {

@@ -15,7 +15,7 @@ template <class Graph, int Input>
 struct equal_coordinates {
   double all[static_cast<std::size_t>(size_of_input<Graph, Input>)]{};
   constexpr equal_coordinates() {
-    const double one = input_of<Graph, Input>.wire->initial[0];
+    const double one = input_of<Graph, Input>.initial->initial[0];
     for (double& coordinate : all) coordinate = one;
   }
 };
@@ -25,7 +25,7 @@ inline constexpr equal_coordinates<Graph, Input> repeated_initial{};
 // What an input shows before a first sample has arrived: what its wire says, or the space's zero.
 template <class Graph, int Input>
 constexpr const double* initial_of_input() {
-  constexpr const auto& wire = input_of<Graph, Input>.wire;
+  constexpr const auto& wire = input_of<Graph, Input>.initial;
   if constexpr (!wire || !wire->initial) return input_port_of<Graph, Input>.space->zero;
   else if constexpr (wire->initial_count == size_of_input<Graph, Input>) return wire->initial;
   else return repeated_initial<Graph, Input>.all;
@@ -39,13 +39,17 @@ struct input_reader {
       array < 0 ? storage_kind::none : layout_of<Graph>.arrays[array < 0 ? 0 : array].kind;
   static constexpr int element = in.writer < 0 ? 0 : output_of<Graph, in.writer>.port;
 
+  CCA_INLINE static auto& stored(const beat_context<Graph>& b, int index) {
+    return b.template at<array>(index);
+  }
+
   // The stored sample that is shown; null: the initial value is.
   CCA_INLINE static auto shown(const beat_context<Graph>& b, int index) {
-    auto& stored = b.template at<array>(index);
+    auto& from = b.template at<array>(index);
     if constexpr (kind == storage_kind::of_beat) {
-      return &stored.template output<element>();
+      return &from.template output<element>();
     } else {
-      auto* sample = stored.show(b.k, in.delay);
+      auto* sample = from.show(b.k, in.delay);
       if constexpr (in.own_initial)
         if (sample->origin() == never) sample = nullptr;
       return sample;
@@ -66,7 +70,7 @@ struct input_reader {
 
   // Does its origin count for what the component publishes? Has its sample arrived whenever the component
   // fires?
-  static constexpr bool counts = in.writer >= 0 && in.counts;
+  static constexpr bool counts = in.writer >= 0 && (in.counts || in.counts_vary);
   static constexpr bool has_surely_arrived = counts && in.in_beat && in.delay == 0;
 
   // Makes `oldest` the older of the two; of an input that `has_surely_arrived`, or of one that has not.
@@ -76,6 +80,8 @@ struct input_reader {
                                     [[maybe_unused]] int index) {
     if constexpr (counts && has_surely_arrived == Sure) {
       const auto* sample = shown(b, index);
+      if constexpr (in.counts_vary)
+        if (sample && !sample->counts) return;
       if constexpr (Sure) oldest = sample->origin() < oldest ? sample->origin() : oldest;
       else if constexpr (is_never_null) oldest = older(oldest, sample->origin());
       else oldest = sample ? older(oldest, sample->origin()) : oldest;
@@ -116,6 +122,7 @@ struct input_reader {
         else port.show_initial(initial_of_input<Graph, Input>());
       }
       if constexpr (requires { port.set_wired(); }) port.set_wired();
+      if constexpr (kind == storage_kind::queue) port.show_dropped(b.template at<array>(index).dropped());
     }
     return port;
   }

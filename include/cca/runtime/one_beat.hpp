@@ -20,6 +20,16 @@ CCA_INLINE bool goes_on(const beat_outcome& outcome) {
   return true;
 }
 
+// What has been under way arrives. False: a queue was full that must not be, and the beat ends here.
+template <class Graph>
+CCA_INLINE bool begins(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
+  [[maybe_unused]] const int input = enter_queues<typename as_planned<Graph>::type>(state, outcome, k);
+  if constexpr (!rejects_entries<Graph>) return true;
+  else if constexpr (requires { state.have_entered(k, outcome, input); })
+    return state.have_entered(k, outcome, input);
+  else return goes_on(outcome);
+}
+
 // The calls from rank `First` on.
 template <class Graph, int First, class Ranks, class BeatArrays>
 struct calls_of_beat;

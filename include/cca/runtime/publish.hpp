@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <cca/graph/recordable.hpp>
+#include <cca/runtime/queue_entries.hpp>
 #include <cca/runtime/inputs.hpp>
 #include <cca/runtime/recording/tell_recorder.hpp>
 
@@ -25,11 +26,12 @@ constexpr int queue_from(int input) {
 // twin.
 template <class Graph, int Input, class Vector>
 CCA_INLINE void put_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_t origin) {
-  constexpr place at = layout_of<Graph>.sources[Input];
   constexpr const auto& in = input_of<Graph, Input>;
-  const bool had_room = b.template at<at.array>(at.index).put(v, origin);
-  if constexpr (in.wire->full == full_kind::reject) {
-    if (!had_room) b.outcome = {"a sample arrived while the queue was full", call_of<Graph, in.call>.node};
+  if constexpr (in.delay > 0) {
+    constexpr place at = layout_of<Graph>.on_the_way[Input];
+    if constexpr (at.array >= 0) b.template at<at.array>(at.index).put(v, origin, b.k);
+  } else {
+    put_into_queue<Graph, Input>(b.state, b.outcome, v, origin, b.k);
   }
   constexpr int next = queue_from<Graph>(in.next_of_writer);
   if constexpr (next >= 0) put_into_queues<Graph, next>(b, v, origin);

@@ -13,8 +13,9 @@
 #include <cca/component/parameter_check.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/graph/recordable.hpp>
-#include <cca/runtime/arriving_samples.hpp>
-#include <cca/runtime/stored_samples.hpp>
+#include <cca/runtime/samples/arriving_samples.hpp>
+#include <cca/runtime/samples/queued_samples.hpp>
+#include <cca/runtime/samples/stored_samples.hpp>
 #include <cca/runtime/tracing/trace_link.hpp>
 
 namespace cca::detail {
@@ -88,7 +89,11 @@ struct stored_in<Graph, Array, storage_kind::arriving> {
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::queue> {
   static constexpr const auto& a = array_of<Graph, Array>;
-  using type = waiting_samples<a.size, a.depth, a.full>;
+  using type = waiting_samples<a.size, a.depth, a.full, a.counts_vary, a.counts_arrivals>;
+};
+template <class Graph, int Array>
+struct stored_in<Graph, Array, storage_kind::on_the_way> {
+  using type = coming_samples<array_of<Graph, Array>.size, array_of<Graph, Array>.depth>;
 };
 
 template <class Graph, int Array, storage_kind Kind = array_of<Graph, Array>.kind>
@@ -181,6 +186,32 @@ inline constexpr const auto& kept_parts<probed<Graph>> = kept_parts<Graph>;
 template <class Graph, int Call>
 inline constexpr int part_of_call_at = plan_of<Graph>.nodes[array_size(call_of<Graph, Call>.node)].part;
 
+// A strategy that has a state, of a call whose clock is known only at run time.
+template <class Graph>
+struct keeps_strategy {
+  static constexpr bool holds(std::size_t c) {
+    const auto& plan = plan_of<Graph>;
+    const call& one = plan.calls[c];
+    const auto strategy = plan.nodes[array_size(one.node)].item->strategy_while_started();
+    return one.own_clock.dynamic() && !one.elsewhere && strategy && strategy->keeps_state;
+  }
+};
+template <class Graph, int Call>
+struct kept_strategy {
+  using stated = typename node_types<Graph, call_of<Graph, Call>.node>::strategy;
+  typename strategy_or_default<stated, true>::type strategy{};
+};
+// Modes share theirs (runtime/modes/shared_state.hpp).
+template <class Graph, int Call>
+struct place_of_strategy {
+  using type = kept_strategy<Graph, Call>;
+};
+
+template <class Graph, class Calls = chosen<counts_of<Graph>.call_count, keeps_strategy<Graph>>>
+struct kept_strategies;
+template <class Graph, int... Call>
+struct kept_strategies<Graph, std::integer_sequence<int, Call...>> : kept_strategy<Graph, Call>... {};
+
 // ---- all of it ----
 
 template <class Graph>
@@ -206,7 +237,8 @@ template <class Graph, int... Component, int... Array>
 struct state_of<Graph, std::integer_sequence<int, Component...>, std::integer_sequence<int, Array...>>
     : component_array<Graph, Component>...,
       stored_array<Graph, Array>...,
-      last_firings<layout_of<Graph>.firing_count> {};
+      last_firings<layout_of<Graph>.firing_count>,
+      kept_strategies<Graph> {};
 
 // What outlives a beat.
 template <class Graph>
@@ -244,6 +276,11 @@ CCA_INLINE auto& component_at(State& state) {
 template <class Graph, int Array, class State>
 CCA_INLINE auto& sample_in(State& state, int index) {
   return part_of<typename array_of_samples<Graph, Array>::type>(state).all[index];
+}
+
+template <class Graph, int Call, class State>
+CCA_INLINE auto& strategy_in(State& state) {
+  return part_of<typename place_of_strategy<Graph, Call>::type>(state).strategy;
 }
 
 // ---- what a beat works on ----

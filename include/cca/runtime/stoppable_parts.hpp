@@ -63,6 +63,7 @@ void begin_anew(State& state, int node, std::int64_t next) {
     one.is_first = true;
     one.last = next - 1;
   });
+  forget_strategies<Graph>(state, node);
 }
 
 // The components of a state, whose parts have changed: those that rest now, or run again from beat `next` on.

@@ -73,6 +73,16 @@ struct inputs_view<Graph, Call, std::integer_sequence<int, Position...>> {
   CCA_INLINE bool fresh() const {
     return is_fresh<position_of<Name>()>();
   }
+  // How many samples wait in its queue; without one: 1 if it is fresh.
+  template <fixed_string Name>
+  CCA_INLINE int waiting() const {
+    return waiting_at<position_of<Name>()>();
+  }
+  // How many samples have arrived in this beat.
+  template <fixed_string Name>
+  CCA_INLINE int arrivals() const {
+    return arrived_at<position_of<Name>()>();
+  }
   template <fixed_string Name>
   auto get() const {
     using function = typename function_of<component, call_of<Graph, Call>.phase>::type;
@@ -88,6 +98,31 @@ private:
     if constexpr (is_wired<Graph, input>)
       return input_reader<Graph, input>::is_fresh(b, index_of_source<Graph>(at, Input), self.last);
     else return false;
+  }
+  template <int Input>
+  CCA_INLINE int waiting_at() const {
+    using reader = input_reader<Graph, input_at<Graph, Call, Input>>;
+    if constexpr (reader::kind == storage_kind::queue) return reader::stored(b, index_of<Input>()).waiting();
+    else return is_fresh<Input>();
+  }
+  template <int Input>
+  CCA_INLINE int arrived_at() const {
+    constexpr int input = input_at<Graph, Call, Input>;
+    using reader = input_reader<Graph, input>;
+    if constexpr (reader::kind == storage_kind::queue) {
+      static_assert(input_of<Graph, input>.counts_arrivals,
+                    "cca::ProcessingStrategy: this strategy asks how many samples have arrived in a queue, "
+                    "but does not say so: give it `static constexpr bool counts_arrivals = true;`");
+      return reader::stored(b, index_of<Input>()).arrivals(b.k);
+    } else if constexpr (is_wired<Graph, input>) {
+      return reader::arrived(b, index_of<Input>()) == b.k;
+    } else {
+      return 0;
+    }
+  }
+  template <int Input>
+  CCA_INLINE int index_of() const {
+    return index_of_source<Graph>(at, Input);
   }
   template <int Input>
   CCA_INLINE void join(std::int64_t& common, bool& all) const {

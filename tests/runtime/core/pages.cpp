@@ -135,6 +135,36 @@ struct following
                  cca::require<cca::latency<"camera.seen", "follow.is">, cca::beats<2>>> {};
 // [graph end]
 
+// [state]
+// Fires with every N-th sample that arrives at an input.
+template <cca::fixed_string Input, int N>
+struct every_nth {
+  int come = 0;
+
+  template <class Inputs>
+  bool fires(cca::beat, const Inputs& in) {
+    come += in.template arrivals<Input>();
+    if (come < N) return false;
+    come -= N;
+    return true;
+  }
+};
+
+struct thinned_out : cca::graph<cca::rate<1000>,
+                                cca::node<"a", counter, cca::timed<2>>,
+                                cca::node<"third", journal, every_nth<"x", 3>>,  // beats 4, 10, 16, ...
+                                cca::wire<"a.y", "third.x", cca::latest>> {};
+// [state end]
+
+// [merged]
+struct diary : cca::graph<cca::rate<100>,
+                          cca::node<"speech", counter, cca::timed<4>>,
+                          cca::node<"touch", counter, cca::timed<4>>,
+                          cca::node<"log", journal>,
+                          cca::wire<"speech.y", "log.x", cca::merged<8>>,  // drops the oldest when it is full
+                          cca::wire<"touch.y", "log.x", cca::merged<8>, cca::delayed<1>>> {};
+// [merged end]
+
 constexpr std::string_view picture = R"(// [graph picture]
 flowchart LR
   n0["camera<br/><i>50 Hz</i>"]
@@ -173,12 +203,37 @@ TEST_SUITE("pages") {
     CHECK_EQ(c.get<"own">().fired, beats{4, 10});
   }
 
+  TEST_CASE("a strategy with a state") {
+    auto c = started<thinned_out>();
+    c.run(cca::for_beats<17>{});
+    CHECK_EQ(
+        c.get<"third">().all,
+        std::vector<seen>{{4, 3, 4'000'000, true}, {10, 6, 10'000'000, true}, {16, 9, 16'000'000, true}});
+  }
+
   TEST_CASE("graphs") {
     test::check_picture<following>(picture);
     auto c = started<following>();
     c.run(cca::for_beats<5>{});
     CHECK_EQ(c.get<"log">().all.size(), 3);
     CHECK_EQ(c.get<"log">().all[0].value, 100 - 1);
+  }
+
+  TEST_CASE("merged") {
+    test::check_picture<diary>(R"(
+flowchart LR
+  n0["speech<br/><i>25 Hz</i>"]
+  n1["touch<br/><i>25 Hz</i>"]
+  n2["log<br/><i>restless</i>"]
+  n0 -- "y → x<br/>reading, 25 Hz<br/>merged 8" --> n2
+  n1 -. "y → x<br/>reading, 25 Hz<br/>delayed 1<br/>merged 8" .-> n2
+)");
+    auto c = started<diary>();
+    c.run(cca::for_beats<6>{});
+    CHECK_EQ(c.get<"log">().all,
+             std::vector<seen>{
+                 {0, 1, 0, true}, {1, 1, 0, true}, {4, 2, 40'000'000, true}, {5, 2, 40'000'000, true}});
+    CHECK_EQ(c.dropped<"log.x">(), 0);
   }
 
   TEST_CASE("controller") {

@@ -96,6 +96,27 @@ TEST_SUITE("sample ring") {
     check_sample(r, 8, 400);
   }
 
+  TEST_CASE("a reader may ask whether a sample was repeated") {
+    using marked = cca::detail::sample_ring<2, 8, true>;
+    marked r;
+    marked::sample came;
+    std::uint64_t next = 0;
+    r.put(Eigen::Vector2d(3, 4), 30, 3);
+    r.repeat(3);  // of this beat: nothing to do
+    r.repeat(4);
+    r.put(Eigen::Vector2d(5, 6), 50, 5);
+    REQUIRE(r.take(next, 10, came));
+    CHECK_FALSE(came.is_repeated);
+    REQUIRE(r.take(next, 10, came));
+    CHECK(came.is_repeated);
+    CHECK_EQ(came.published_in, 4);
+    CHECK_EQ(came.origin, 30);
+    CHECK_EQ(came.vector[1], 4);
+    REQUIRE(r.take(next, 10, came));
+    CHECK_FALSE(came.is_repeated);
+    CHECK_FALSE(r.take(next, 10, came));
+  }
+
   TEST_CASE("both ways of copying show the same") {
     ring r;
     publish(r, 7, false);

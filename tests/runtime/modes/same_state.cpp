@@ -54,6 +54,8 @@ struct everything
                  cca::node<"fast", counter>,
                  cca::node<"inner", inner>,
                  cca::node<"queued", journal, cca::timed<2>>,
+                 cca::node<"merged", journal, cca::timed<1>>,
+                 cca::node<"later", journal, cca::timed<2, 1>>,
                  cca::node<"slow_reader", timer, cca::timed<4, 1>>,
                  cca::node<"every_beat", timer, cca::timed<1>>,
                  cca::node<"restless", timer>,
@@ -64,6 +66,10 @@ struct everything
                  cca::node<"listener", listener>,
                  cca::wire<"source.y", "inner.x">,
                  cca::wire<"source.y", "queued.x", cca::queue<3, cca::drop_oldest>>,
+                 cca::wire<"slow.y", "merged.x", cca::merged<3>>,
+                 cca::wire<"source.y", "merged.x", cca::merged<3>, cca::delayed<2>>,
+                 cca::wire<"inner.y", "merged.x", cca::merged<3>, cca::delayed<3>>,
+                 cca::wire<"fast.y", "later.x", cca::queue<4, cca::drop_newest>, cca::delayed<6>>,
                  cca::wire<"source.y", "slow_reader.x", cca::latest>,
                  cca::wire<"slow.y", "every_beat.x", cca::latest, cca::initial<-5>>,
                  cca::wire<"source.y", "restless.x", cca::delayed<2>>,
@@ -80,6 +86,8 @@ std::vector<seen> seen_by(const Controller& c) {
   std::vector<seen> all;
   const auto add = [&](const std::vector<seen>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(c.template get<"queued">().all);
+  add(c.template get<"merged">().all);
+  add(c.template get<"later">().all);
   add(c.template get<"slow_reader">().all);
   add(c.template get<"every_beat">().all);
   add(c.template get<"restless">().all);

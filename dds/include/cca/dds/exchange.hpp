@@ -105,7 +105,7 @@ private:
   static constexpr std::uint64_t readers_of() {
     return []<int... E>(std::integer_sequence<int, E...>) {
       return (std::uint64_t{0} | ... |
-              (std::uint64_t{cca::detail::arrives<cca::detail::part<D, E>>::holds(Number)} << E));
+              (std::uint64_t{cca::detail::comes<cca::detail::part<D, E>>::holds(Number)} << E));
     }(std::make_integer_sequence<int, cca::detail::environment_count<D>>{});
   }
 
@@ -180,7 +180,8 @@ private:
     if (!ring.take(next, no_position, one)) return false;
     message.clear();
     message.push_back(next - 1);
-    message.push_back(static_cast<std::uint64_t>(one.published_in));
+    message.push_back(static_cast<std::uint64_t>(one.published_in) |
+                      (one.is_repeated ? sample_message::is_repeated : 0));
     message.push_back(static_cast<std::uint64_t>(one.origin));
     for (const double value : one.vector) message.push_back(std::bit_cast<std::uint64_t>(value));
     return true;
@@ -191,7 +192,8 @@ private:
     for (int i = 0; i < values.size(); ++i)
       values[i] = std::bit_cast<double>(message[sample_message::head + cca::detail::array_size(i)]);
     own.template ring<Number>().put(values, static_cast<std::int64_t>(message[2]),
-                                    static_cast<std::int64_t>(message[1]));
+                                    sample_message::beat(message), false,
+                                    (message[1] & sample_message::is_repeated) != 0);
   }
 
   bool take([[maybe_unused]] std::size_t output,

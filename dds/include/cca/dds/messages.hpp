@@ -39,6 +39,11 @@ struct bounds {
 
 struct sample_message {
   static constexpr std::size_t head = 3;
+  // Beside the beat: the sample was not published in it, but counts as if it were. A queue does not take it.
+  static constexpr std::uint64_t is_repeated = std::uint64_t{1} << 63;
+  static std::int64_t beat(std::span<const std::uint64_t> message) {
+    return static_cast<std::int64_t>(message[1] & ~is_repeated);
+  }
 
   static bool is_finite(std::span<const std::uint64_t> message) {
     return std::ranges::all_of(message.subspan(head),
@@ -150,7 +155,7 @@ public:
   // Empty, or what is wrong with the sample.
   std::string_view complaint(std::span<const std::uint64_t> message, const bounds& of, std::int64_t newest) {
     if (message.empty()) return "a sample of another length";
-    const auto number = static_cast<std::int64_t>(message[0]), k = static_cast<std::int64_t>(message[1]);
+    const auto number = static_cast<std::int64_t>(message[0]), k = sample_message::beat(message);
     if (number < next || number > (std::int64_t{1} << 62)) return "a number that does not follow";
     const std::int64_t last = newest < 0 ? of.last_beat() : std::min(of.last_beat(), newest + of.window());
     if (k < std::max<std::int64_t>(beat - of.ahead, 0) || k > last)

@@ -18,10 +18,28 @@ constexpr bool exclude_each_other() {
   return false;
 }
 
+// Does it fire? The second is for parts with a state.
+template <bool KeepsState, class... Strategies>
+struct fires_for_all {
+  template <class Inputs>
+    requires(ProcessingStrategy<Strategies> && ...)
+  static constexpr bool fires(beat now, const Inputs& in) {
+    return (Strategies{}.fires(now, in) && ...);
+  }
+};
+template <class... Strategies>
+struct fires_for_all<true, Strategies...> : strategy_parts<Strategies...> {
+  template <class Inputs>
+    requires(ProcessingStrategy<Strategies> && ...)
+  constexpr bool fires(beat now, const Inputs& in) {
+    return this->ask(now, in).all;
+  }
+};
+
 }  // namespace detail
 
 template <class... Strategies>
-struct all_of {
+struct all_of : detail::fires_for_all<detail::keep_state<Strategies...>, Strategies...> {
   using parts = detail::list<Strategies...>;
   static constexpr detail::clock clock = [] {
     auto all = detail::every(1);
@@ -39,12 +57,6 @@ struct all_of {
   }
   static constexpr bool waits_in_vain(const detail::arrivals& inputs) {
     return (detail::strategy_of<Strategies>.waits_in_vain(inputs) || ...);
-  }
-
-  template <class Inputs>
-    requires(ProcessingStrategy<Strategies> && ...)
-  static constexpr bool fires(beat now, const Inputs& in) {
-    return (Strategies{}.fires(now, in) && ...);
   }
 };
 

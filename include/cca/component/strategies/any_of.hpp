@@ -4,9 +4,30 @@
 #include <cca/component/strategy.hpp>
 
 namespace cca {
+namespace detail {
+
+// Does it fire? The second is for parts with a state.
+template <bool KeepsState, class... Strategies>
+struct fires_for_any {
+  template <class Inputs>
+    requires(ProcessingStrategy<Strategies> && ...)
+  static constexpr bool fires(beat now, const Inputs& in) {
+    return (Strategies{}.fires(now, in) || ...);
+  }
+};
+template <class... Strategies>
+struct fires_for_any<true, Strategies...> : strategy_parts<Strategies...> {
+  template <class Inputs>
+    requires(ProcessingStrategy<Strategies> && ...)
+  constexpr bool fires(beat now, const Inputs& in) {
+    return this->ask(now, in).any;
+  }
+};
+
+}  // namespace detail
 
 template <class... Strategies>
-struct any_of {
+struct any_of : detail::fires_for_any<detail::keep_state<Strategies...>, Strategies...> {
   using parts = detail::list<Strategies...>;
   static constexpr detail::clock clock = [] {
     auto all = detail::never_clock;
@@ -22,12 +43,6 @@ struct any_of {
   }
   static constexpr bool waits_in_vain(const detail::arrivals& inputs) {
     return sizeof...(Strategies) > 0 && (detail::strategy_of<Strategies>.waits_in_vain(inputs) && ...);
-  }
-
-  template <class Inputs>
-    requires(ProcessingStrategy<Strategies> && ...)
-  static constexpr bool fires(beat now, const Inputs& in) {
-    return (Strategies{}.fires(now, in) || ...);
   }
 };
 

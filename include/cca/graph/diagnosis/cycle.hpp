@@ -18,9 +18,10 @@ struct wire_cycle {
 constexpr int waiting_input(const flat_view& g, int call_index) {
   const auto& t = g.calls[call_index];
   for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
-    if (g.inputs[i].writer >= 0 && g.inputs[i].delay == 0 &&
-        g.calls[g.outputs[g.inputs[i].writer].call].rank < 0)
-      return i;
+    for (int way = i; way >= 0; way = g.inputs[way].next_way)
+      if (const auto& in = g.inputs[way];
+          in.writer >= 0 && in.delay == 0 && g.calls[g.outputs[in.writer].call].rank < 0)
+        return way;
   return -1;
 }
 

@@ -23,16 +23,19 @@ struct place {
 struct sample_array {
   storage_kind kind = storage_kind::none;
   int size = 0;               // coordinates of a sample
-  int depth = 0;              // of the past, or of a queue
+  int depth = 0;              // of the past, of a queue, or the delay of what is on its way into one
   clock published{};          // newest, past
   int call = -1;              // of_beat: the first call of the same function, whose result it is
   bool in_each_beat = false;  // of_beat: the result is there in each beat
   full_kind full = full_kind::drop_oldest;  // queue
+  bool counts_vary = false;                 // queue: it keeps of each sample whether it counts for the origin
+  bool counts_arrivals = false;             // queue: a strategy may ask how many samples came in a beat
   int count = 0;
 
   constexpr bool stores_like(const sample_array& other) const {
     return kind == other.kind && size == other.size && depth == other.depth && published == other.published &&
-           call == other.call && in_each_beat == other.in_each_beat && full == other.full;
+           call == other.call && in_each_beat == other.in_each_beat && full == other.full &&
+           counts_vary == other.counts_vary && counts_arrivals == other.counts_arrivals;
   }
 };
 
@@ -64,16 +67,17 @@ struct first_of_key {
 
 template <int Nodes, int Calls, int Inputs, int Outputs>
 struct layout {
-  static constexpr int max_arrays = Calls + Outputs + Inputs + 1;
+  static constexpr int max_arrays = Calls + Outputs + 2 * Inputs + 1;
   place components[array_size(Nodes + 1)]{};      // array: the first component of the same type
   int component_counts[array_size(Nodes + 1)]{};  // of the array of this number
   int twin[array_size(Calls + 1)]{};              // the first call that is a twin
   int input_twin[array_size(Inputs + 1)]{};       // the first input that reads in the same way
   int output_twin[array_size(Outputs + 1)]{};     // the first output that is published in the same way
   call_place calls[array_size(Calls + 1)]{};
-  place results[array_size(Calls + 1)]{};    // what a call returns, where readers of the beat read it
-  place outputs[array_size(Outputs + 1)]{};  // newest, past
-  place sources[array_size(Inputs + 1)]{};   // what the input reads; a queue is its own
+  place results[array_size(Calls + 1)]{};      // what a call returns, where readers of the beat read it
+  place outputs[array_size(Outputs + 1)]{};    // newest, past
+  place sources[array_size(Inputs + 1)]{};     // what the input reads; a queue is its own
+  place on_the_way[array_size(Inputs + 1)]{};  // of a way into a queue: what has not arrived yet
   sample_array arrays[array_size(max_arrays)]{};
   int array_count = 0, firing_count = 0;
 
@@ -170,12 +174,18 @@ struct layout_step {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& in = g.inputs[i];
       if (g.calls[in.call].elsewhere) continue;
-      if (in.queue >= 0)
+      if (in.way_of >= 0) to.sources[i] = to.sources[in.way_of];
+      else if (in.queue >= 0)
         to.sources[i] = place_in({.kind = storage_kind::queue,
                                   .size = port_of(g, in).space->size,
-                                  .depth = in.wire->number,
-                                  .full = in.wire->full});
+                                  .depth = in.wire->capacity,
+                                  .full = in.wire->full,
+                                  .counts_vary = in.counts_vary,
+                                  .counts_arrivals = in.counts_arrivals});
       else if (in.writer >= 0) to.sources[i] = to.outputs[in.writer];
+      if (is_on_the_way(in) && !g.calls[g.outputs[in.writer].call].elsewhere)
+        to.on_the_way[i] = place_in(
+            {.kind = storage_kind::on_the_way, .size = port_of(g, in).space->size, .depth = in.delay});
     }
   }
 
@@ -204,13 +214,13 @@ struct layout_step {
       const auto& from = g.outputs[in.writer];
       const auto c = published(g, from);
       key = mixed(key, c.period, c.first, in.delay,
-                  in.in_beat | in.own_initial << 1 | in.counts << 2 | in.known_now << 3,
+                  in.in_beat | in.own_initial << 1 | in.counts << 2 | in.known_now << 3 | in.counts_vary << 4,
                   from.storage == storage_kind::of_beat ? from.port : -1);
     }
     if (shows_initial(in))
       if (const auto space = port_of(g, in).space)
         for (int c = 0; c < space->size; ++c)
-          key = mixed(key, std::bit_cast<std::int64_t>(initial_coordinate(in.wire, *space, c)));
+          key = mixed(key, std::bit_cast<std::int64_t>(initial_coordinate(in.initial, *space, c)));
     return key;
   }
 
@@ -240,7 +250,9 @@ struct layout_step {
     return (in.writer < 0 && !space) || g.calls[in.call].elsewhere || (space && space->size > most_compared);
   }
   // What stops and starts parts looks them up by its own number.
-  static constexpr bool is_unique(const call& c) { return c.elsewhere || c.function->asked_count > 0; }
+  constexpr bool is_unique(const call& c) const {
+    return c.elsewhere || c.function->asked_count > 0 || strategy_of_call(g, c).keeps_state;
+  }
   constexpr bool is_unique(const output& out) const {
     if (out.leaves || g.calls[out.call].elsewhere) return true;
     if (g.queue_count == 0) return false;
@@ -270,6 +282,7 @@ struct layout_step {
     for (place& p : to.results) p = {-1, 0};
     for (place& p : to.outputs) p = {-1, 0};
     for (place& p : to.sources) p = {-1, 0};
+    for (place& p : to.on_the_way) p = {-1, 0};
   }
 
   constexpr void run() {
@@ -285,7 +298,7 @@ struct layout_step {
 template <class Graph>
 inline constexpr auto layout_of = [] {
   constexpr auto& size = graph_size<Graph>;
-  layout<size.nodes, size.calls, size.inputs, size.outputs> result;
+  layout<size.nodes, size.calls, size.ways(), size.outputs> result;
   auto plan = plan_of<Graph>;
   const auto view = plan.view();
   layout_step<decltype(result)>{view, result}.run();

@@ -10,7 +10,7 @@ namespace cca::detail {
 template <Modes M>
 inline constexpr auto layout_of<M> = [] {
   constexpr auto& size = graph_size<M>;
-  layout<size.nodes, size.calls, size.inputs, size.outputs> result;
+  layout<size.nodes, size.calls, size.ways(), size.outputs> result;
   layout_step<decltype(result)> step{shown_plan<M>, result};
   step.place_nowhere();
   step.place_components();
@@ -23,7 +23,7 @@ inline constexpr auto layout_of<M> = [] {
 template <class M, int I>
 inline constexpr auto layout_of<mode_part<M, I>> = [] {
   constexpr auto& size = graph_size<mode_part<M, I>>;
-  layout<size.nodes, size.calls, size.inputs, size.outputs> result;
+  layout<size.nodes, size.calls, size.ways(), size.outputs> result;
   auto plan = plan_of<mode_part<M, I>>;
   const auto g = plan.view();
   layout_step<decltype(result)>{g, result}.run();
@@ -40,9 +40,12 @@ inline constexpr auto layout_of<mode_part<M, I>> = [] {
     if (const int shared = view.shared_output(o); view.whole.outputs[shared].storage != storage_kind::none)
       result.outputs[o].index = whole.outputs[shared].index;
   for (int i = 0; i < g.input_count; ++i)
-    if (g.inputs[i].queue >= 0)
-      result.sources[i].index = whole.sources[sharing::find_queue(view, i, view.whole)].index;
-    else if (g.inputs[i].writer >= 0) result.sources[i] = result.outputs[g.inputs[i].writer];
+    if (const auto& in = g.inputs[i]; in.queue >= 0) {
+      const int head = in.way_of >= 0 ? in.way_of : i;
+      result.sources[i].index = whole.sources[sharing::find_queue(view, head, view.whole)].index;
+      if (is_on_the_way(in))
+        result.on_the_way[i].index = whole.on_the_way[sharing::find_way(view, i, view.whole)].index;
+    } else if (g.inputs[i].writer >= 0) result.sources[i] = result.outputs[g.inputs[i].writer];
   return result;
 }();
 

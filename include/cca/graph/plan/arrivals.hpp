@@ -6,8 +6,18 @@
 
 namespace cca::detail {
 
+// More may arrive than is read: then it is fresh in other beats, too.
+constexpr clock clock_of_merged(const flat_view& g, const input& i) {
+  bool is_silent = true;
+  for (const input* way = &i;; way = &g.inputs[way->next_way]) {
+    is_silent &= published(g, g.outputs[way->writer]).never();
+    if (way->next_way < 0) return is_silent ? never_clock : dynamic_clock;
+  }
+}
+
 constexpr clock arrival_clock(const flat_view& g, const input& i) {
   if (i.writer < 0) return port_of(g, i).space ? never_clock : dynamic_clock;
+  if (i.next_way >= 0) return clock_of_merged(g, i);
   // What arrives later than it was published may have been published before its part was stopped.
   const auto& from = g.outputs[i.writer];
   return shifted(i.delay > 0 ? published(g, from) : published_to(g, from, i.call), i.delay);

@@ -20,19 +20,25 @@ constexpr bool ends_limit_search(const flat_view& g, const call& t) {
 
 // Do all ways to this output lead through a limiter, or through components that keep their outputs within the
 // range of their inputs (a splitter)?
+constexpr int unlimited_way(const flat_view& g, int input_index, int depth = 0);
 constexpr bool is_limited(const flat_view& g, int output_index, int depth = 0) {
   const auto& t = g.calls[g.outputs[output_index].call];
   if (ends_limit_search(g, t)) return true;
   if (!item_of_call(g, t).component->preserves_limits || depth > g.node_count) return false;
   for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
-    if (g.inputs[i].writer >= 0 && !is_limited(g, g.inputs[i].writer, depth + 1)) return false;
+    if (unlimited_way(g, i, depth + 1) >= 0) return false;
   return true;
+}
+constexpr int unlimited_way(const flat_view& g, int input_index, int depth) {
+  for (int way = input_index; way >= 0; way = g.inputs[way].next_way)
+    if (g.inputs[way].writer >= 0 && !is_limited(g, g.inputs[way].writer, depth)) return way;
+  return -1;
 }
 
 // The axis along which the initial value that a wire states lies outside of the limits, or -1.
 constexpr int axis_beyond_limits(const flat_view& g, const input& in) {
-  const auto& wire = *in.wire;
-  if (!wire.initial || in.in_beat) return -1;
+  if (!in.initial || in.in_beat) return -1;
+  const auto& wire = *in.initial;
   const auto& space = *port_of(g, in).space;
   for (int c = 0; c < space.axis_count; ++c) {
     const double value = wire.initial[wire.initial_count == 1 ? 0 : c];
@@ -53,11 +59,14 @@ constexpr initial_beyond_limits find_initial_beyond_limits(const flat_view& g,
   const auto& in = g.inputs[input_index];
   if (in.writer < 0 || depth > g.node_count) return {};
   if (const int axis = axis_beyond_limits(g, in); axis >= 0) return {input_index, axis};
-  const auto& t = g.calls[g.outputs[in.writer].call];
-  if (ends_limit_search(g, t) || !item_of_call(g, t).component->preserves_limits) return {};
-  for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
-    if (const auto found = find_initial_beyond_limits(g, i, depth + 1); found.axis >= 0) return found;
-  return {};
+  initial_beyond_limits found;
+  for_each_way(g, input_index, [&](const input& way) {
+    const auto& t = g.calls[g.outputs[way.writer].call];
+    if (ends_limit_search(g, t) || !item_of_call(g, t).component->preserves_limits) return;
+    for (int i = t.first_input; i < t.first_input + t.function->input_count && found.axis < 0; ++i)
+      found = find_initial_beyond_limits(g, i, depth + 1);
+  });
+  return found;
 }
 
 }  // namespace cca::detail

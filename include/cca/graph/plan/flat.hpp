@@ -70,23 +70,32 @@ struct call {
   std::int64_t longest_period = 1;  // in beats, of all modes
 };
 
+// An input, or a further way into one: each wire but the first of those that are merged at an input. The ways
+// come behind all inputs.
 struct input {
   int call = 0, port = 0;
   int writer = -1;  // an output, or -1
   ref<item_info> wire = nullptr;
-  int delay = 0;             // of its wire, in beats
-  int next_of_writer = -1;   // the next input of the same output
-  bool wired = false;        // by a wire, an observer, or exposed by the outermost graph
-  bool counts = true;        // for the time of origin
-  bool in_beat = false;      // surely published in the beat of the reader's firing
-  bool known_now = false;    // and also when its strategy is asked
-  bool own_initial = false;  // its initial value differs from that of the stored sample
-  int queue = -1;            // number of its queue
-  std::uint64_t modes = 0;   // of a set of modes: those that have this queue
+  ref<item_info> initial = nullptr;  // the wire that states its initial value
+  int delay = 0;                     // of its wire, in beats
+  int next_of_writer = -1;           // the next input of the same output
+  bool wired = false;                // by a wire, an observer, or exposed by the outermost graph
+  bool counts = true;                // for the time of origin
+  bool in_beat = false;              // surely published in the beat of the reader's firing
+  bool known_now = false;            // and also when its strategy is asked
+  bool own_initial = false;          // its initial value differs from that of the stored sample
+  int queue = -1;                    // number of its queue; that of all ways into an input
+  int next_way = -1;                 // the next way into the same input
+  int way_of = -1;                   // of a further way: the input
+  int turn = 0;  // of a way: its place among those into one input, by the order of publication
+  bool counts_arrivals = false;  // its strategy may ask how many samples came in a beat
+  bool counts_vary = false;      // the ways into it differ in whether their samples count for the origin
+  std::uint64_t modes = 0;       // of a set of modes: those that have this queue
 };
 
-// How a sample is stored; decided in graph/plan/steps/storage.hpp. A queue is an input's own.
-enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, queue };
+// How a sample is stored; decided in graph/plan/steps/storage.hpp. A queue is an input's own, and so is what
+// is on its way into one.
+enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, queue, on_the_way };
 
 struct output {
   int call = 0, port = 0;
@@ -205,6 +214,26 @@ constexpr bool is_around(const flat_view& g, int part, int other) {
 constexpr int part_of_call(const flat_view& g, int call) { return g.nodes[g.calls[call].node].part; }
 
 constexpr bool is_queued(const input& i) { return i.queue >= 0; }
+constexpr bool is_merged(const input& i) { return i.next_way >= 0 || i.way_of >= 0; }
+
+// Calls f(way) for each way into an input; that into an input of one wire is the input itself.
+template <class F>
+constexpr void for_each_way(const flat_view& g, int input_index, F f) {
+  for (int way = input_index; way >= 0; way = g.inputs[way].next_way) f(g.inputs[way]);
+}
+
+// What comes by this way waits until it arrives, before it enters the queue.
+constexpr bool is_on_the_way(const input& i) { return i.queue >= 0 && i.delay > 0; }
+
+// Do two wires state the same initial value for an input of so many numbers, or both none?
+constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
+  const bool has_a = a && a->initial, has_b = b && b->initial;
+  if (!has_a || !has_b) return has_a == has_b;
+  if (a->initial_count == 1 && b->initial_count == 1) size = 1;  // the same for all
+  for (int c = 0; c < size; ++c)
+    if (a->initial[a->initial_count == 1 ? 0 : c] != b->initial[b->initial_count == 1 ? 0 : c]) return false;
+  return true;
+}
 
 // The clock of an output's samples.
 constexpr clock published(const port_info& port, const call& t) {

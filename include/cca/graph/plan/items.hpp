@@ -10,7 +10,8 @@
 namespace cca::detail {
 
 enum class item_kind : std::uint8_t { node, graph, wire, expose, rate, require, observe, unknown };
-enum class policy_kind : std::uint8_t { unstated, latest, delayed, queue };
+// A queue, or what is merged into one, may be delayed too.
+enum class policy_kind : std::uint8_t { unstated, latest, delayed, queue, merged };
 enum class full_kind : std::uint8_t { drop_oldest, drop_newest, reject, unknown };
 
 struct graph_info;
@@ -24,12 +25,14 @@ struct item_info {
   ref<strategy_info> strategy = nullptr;       // node, graph; none: the default
   policy_kind policy = policy_kind::unstated;  // wire
   full_kind full = full_kind::drop_oldest;
-  int number = 0;  // delay, capacity, or the bound in beats of a require
+  int delay = 0, capacity = 0;                    // wire
+  int number = 0;                                 // the bound in beats of a require
+  policy_kind too_small = policy_kind::unstated;  // wire: this policy has a number below 1
   ref<double> initial = nullptr;
   int initial_count = 0;
   double hz = 0;                             // rate
   std::string_view unknown_type{};           // a type that is no item, option of a wire, or strategy
-  bool repeats_option = false;               // wire: two policies, or two initial values
+  bool repeats_option = false;               // wire: policies that exclude each other, or two initial values
   std::uint64_t from_hash = 0, to_hash = 0;  // as paths of the outermost graph
   std::uint64_t strategy_key = 0;            // type_key of a node's strategy
 
@@ -42,12 +45,18 @@ struct item_info {
     if (stated && stated->is_default) stated = nullptr;
     return stated;
   }
+  // A wire whose samples wait in a queue.
+  constexpr bool has_queue() const { return policy == policy_kind::queue || policy == policy_kind::merged; }
 };
 
 // How many of each a graph has, inner graphs included.
 struct graph_sizes {
-  int nodes = 0, scopes = 0, calls = 0, inputs = 0, outputs = 0, exposes = 0, observers = 0;
+  int nodes = 0, scopes = 0, calls = 0, inputs = 0, outputs = 0, exposes = 0, observers = 0, merged = 0;
   int parts = 0, part_requests = 0;  // that may be stopped; results that stop or start one
+
+  // Ways into the inputs: each wire that is merged with another one is a further one. It may lead to an input
+  // of each inner graph that exposes one under the same name.
+  constexpr int ways() const { return inputs + merged * (exposes > 1 ? exposes : 1); }
 };
 
 struct graph_info {
@@ -80,10 +89,19 @@ inline constexpr std::array<double, sizeof...(Coordinates) + 1> initial_values{
 template <class Full>
 struct full_queue {};
 
-constexpr void set_policy(item_info& item, policy_kind policy, int number = 1) {
-  item.repeats_option |= item.policy != policy_kind::unstated || number < 1;
-  item.policy = policy;
-  item.number = number;
+// Beside another policy: only a delay and a queue go together, in any order.
+constexpr void add_policy(item_info& item, policy_kind added) {
+  const bool is_queue = added == policy_kind::queue || added == policy_kind::merged;
+  const bool is_delayed = item.delay != 0;
+  const bool go_together = added == policy_kind::delayed ? item.has_queue() && !is_delayed
+                                                         : is_queue && item.policy == policy_kind::delayed;
+  item.repeats_option |= item.policy != policy_kind::unstated && !go_together;
+  if (!item.has_queue()) item.policy = added;
+}
+constexpr void add_policy(item_info& item, policy_kind added, int& number, int stated) {
+  add_policy(item, added);
+  number = stated;
+  if (stated < 1) item.too_small = added;
 }
 
 template <class Option>
@@ -92,11 +110,11 @@ struct wire_option {
 };
 template <>
 struct wire_option<latest> {
-  static constexpr void set(item_info& item) { set_policy(item, policy_kind::latest); }
+  static constexpr void set(item_info& item) { add_policy(item, policy_kind::latest); }
 };
 template <int Beats>
 struct wire_option<delayed<Beats>> {
-  static constexpr void set(item_info& item) { set_policy(item, policy_kind::delayed, Beats); }
+  static constexpr void set(item_info& item) { add_policy(item, policy_kind::delayed, item.delay, Beats); }
 };
 template <class Full>
 struct wire_option<full_queue<Full>> {
@@ -120,7 +138,14 @@ struct wire_option<full_queue<reject>> {
 template <int Capacity, class Full>
 struct wire_option<queue<Capacity, Full>> {
   static constexpr void set(item_info& item) {
-    set_policy(item, policy_kind::queue, Capacity);
+    add_policy(item, policy_kind::queue, item.capacity, Capacity);
+    wire_option<full_queue<Full>>::set(item);
+  }
+};
+template <int Capacity, class Full>
+struct wire_option<merged<Capacity, Full>> {
+  static constexpr void set(item_info& item) {
+    add_policy(item, policy_kind::merged, item.capacity, Capacity);
     wire_option<full_queue<Full>>::set(item);
   }
 };
@@ -194,6 +219,7 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       sizes.observers += inner.observers;
       sizes.parts += inner.parts;
       sizes.part_requests += inner.part_requests;
+      sizes.merged += inner.merged;
     } else if (item.kind == item_kind::node) {
       ++sizes.nodes;
       for (const auto function : {item.component->sense, item.component->process, item.component->act}) {
@@ -206,6 +232,8 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       }
     } else if (item.kind == item_kind::expose) {
       ++sizes.exposes;
+    } else if (item.policy == policy_kind::merged) {
+      ++sizes.merged;
     }
   }
   return sizes;

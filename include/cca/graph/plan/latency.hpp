@@ -21,26 +21,38 @@ struct latency_search {
 
   // The newest beat, up to k, in which the writer of an input published what the input shows in beat k.
   constexpr std::int64_t published_by(const input& in, std::int64_t k, clock writer, clock reader) const {
+    if (is_merged(in)) return waited_longest(in, k, writer, reader);
     const auto newest = k - in.delay;
     auto tick = newest - ((newest - writer.first) % writer.period);
     // A queue that fills faster than it is read is full: the reader takes the oldest sample in it.
     if (in.queue >= 0 && reader.known() && writer.period < reader.period) {
       if (in.wire->full == full_kind::drop_oldest) {
-        tick -= (in.wire->number - 1) * writer.period;
+        tick -= (in.wire->capacity - 1) * writer.period;
       } else {
-        const auto taken_before = k - in.wire->number * reader.period;  // the sample arrived right after that
+        // The sample arrived right after that.
+        const auto taken_before = newest - in.wire->capacity * reader.period;
         tick = taken_before - ((taken_before - writer.first) % writer.period) + writer.period;
       }
     }
     // A queue that is first read late stays as full as it was then: each read takes a sample while another
     // arrives.
-    if (in.queue >= 0 && reader.known() && writer.period == reader.period && reader.first > writer.first) {
-      const auto waiting = (reader.first - writer.first) / writer.period;
-      tick -= (in.wire->full == full_kind::drop_oldest && waiting >= in.wire->number ? in.wire->number - 1
-                                                                                     : waiting) *
+    const auto first_arrival = writer.first + in.delay;
+    if (in.queue >= 0 && reader.known() && writer.period == reader.period && reader.first > first_arrival) {
+      const auto waiting = (reader.first - first_arrival) / writer.period;
+      tick -= (in.wire->full == full_kind::drop_oldest && waiting >= in.wire->capacity ? in.wire->capacity - 1
+                                                                                       : waiting) *
               writer.period;
     }
     return tick;
+  }
+
+  // Where several wires fill a queue: its sample is read at the latest when the queue has been read as often
+  // as it has room. So this may be more than the greatest age, but never less.
+  constexpr std::int64_t waited_longest(const input& in, std::int64_t k, clock writer, clock reader) const {
+    const auto oldest_arrival = k - in.wire->capacity * reader.period + 1;
+    const auto earliest = oldest_arrival - in.delay - writer.first;
+    return earliest <= 0 ? writer.first
+                         : writer.first + (earliest + writer.period - 1) / writer.period * writer.period;
   }
 
   constexpr clock writer_clock(const input& in) const { return published(g, g.outputs[in.writer]); }
@@ -56,8 +68,12 @@ struct latency_search {
         unbounded = true;
         return;
       }
+      if (is_merged(in) && !g.calls[in.call].fires.known()) {
+        unbounded = true;
+        return;
+      }
       start += c.first + 2 * c.period + in.delay;
-      if (in.queue >= 0) start += in.wire->number * (c.period + 2 * g.calls[in.call].fires.period);
+      if (in.queue >= 0) start += in.wire->capacity * (c.period + 2 * g.calls[in.call].fires.period);
       common = common / gcd(common, c.period) * c.period;
     }
     auto last = g.calls[g.inputs[way[0]].call].fires;
@@ -78,6 +94,9 @@ struct latency_search {
   }
 
   constexpr void follow(int input_index) {
+    for (int i = input_index; i >= 0; i = g.inputs[i].next_way) follow_way(i);
+  }
+  constexpr void follow_way(int input_index) {
     const auto& in = g.inputs[input_index];
     if (in.writer < 0) return;
     way[length++] = input_index;

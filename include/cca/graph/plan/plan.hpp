@@ -38,7 +38,7 @@ template <class Graph>
 using flat_of = flat<graph_size<Graph>.scopes,
                      graph_size<Graph>.nodes,
                      graph_size<Graph>.calls,
-                     graph_size<Graph>.inputs,
+                     graph_size<Graph>.ways(),
                      graph_size<Graph>.outputs,
                      graph_size<Graph>.observers * graph_size<Graph>.outputs,
                      graph_size<Graph>.parts,

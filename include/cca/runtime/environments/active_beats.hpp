@@ -1,6 +1,7 @@
-// The beats in which something can fire in an environment; it sleeps through the others.
+// The beats in which something can happen in an environment; it sleeps through the others.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -9,39 +10,70 @@
 
 namespace cca::detail {
 
-// The clocks of an environment, each once. In the whole graph the clock of a function is known more often
-// than in the part, where a sample may come late.
+// Clocks of an environment, each once.
 template <class D>
 struct clocks_of_environment {
-  std::array<clock, array_size(graph_size<D>.calls) + 1> all{};
+  std::array<clock, array_size(graph_size<D>.calls + graph_size<D>.ways()) + 1> all{};
   std::size_t count = 0;
+
+  // A clock that is not known may tick in every beat.
+  constexpr void add(clock c) {
+    if (c.never()) return;
+    if (c.dynamic()) c = every(1);
+    for (std::size_t i = 0; i < count; ++i)
+      if (all[i] == c) return;
+    all[count++] = c;
+  }
+  // The first beat from k on in which one ticks; the largest number: none.
+  constexpr std::int64_t next(std::int64_t k) const {
+    std::int64_t first = std::numeric_limits<std::int64_t>::max();
+    for (std::size_t i = 0; i < count; ++i) {
+      const clock& c = all[i];
+      const std::int64_t behind = k <= c.first ? 0 : (k - c.first + c.period - 1) / c.period;
+      first = std::min(first, c.first + behind * c.period);
+    }
+    return first;
+  }
 };
 
+// When its components fire. In the whole graph the clock of a function is known more often than in the part,
+// where a sample may come late.
 template <class D, int E>
 inline constexpr auto environment_clocks = [] {
   clocks_of_environment<D> clocks;
   auto plan = plan_of<D>;
   const auto g = plan.view();
-  for (int c = 0; c < g.call_count; ++c) {
-    const clock fires = g.calls[c].own_clock.dynamic() ? every(1) : g.calls[c].own_clock;
-    if (environment_of(g, c) != E || fires.never()) continue;
-    bool is_new = true;
-    for (std::size_t i = 0; i < clocks.count; ++i) is_new = is_new && !(clocks.all[i] == fires);
-    if (is_new) clocks.all[clocks.count++] = fires;
+  for (int c = 0; c < g.call_count; ++c)
+    if (environment_of(g, c) == E) clocks.add(g.calls[c].own_clock);
+  return clocks;
+}();
+
+// When samples enter its queues that must not wait for it elsewhere, or may be rejected.
+template <class D, int E>
+inline constexpr auto entry_clocks = [] {
+  clocks_of_environment<D> clocks;
+  auto plan = plan_of<D>;
+  const auto g = plan.view();
+  for (int i = 0; i < g.input_count; ++i) {
+    const input& in = g.inputs[i];
+    if (!is_on_the_way(in) || environment_of(g, in.call) != E) continue;
+    const output& from = g.outputs[in.writer];
+    if (environment_of(g, from.call) != E || may_fault_at_begin(in))
+      clocks.add(shifted(published(g, from), in.delay));
   }
   return clocks;
 }();
 
 // The first beat from k on in which something can fire; the largest number: none.
 template <class D, int E>
+constexpr std::int64_t next_firing_beat(std::int64_t k) {
+  return environment_clocks<D, E>.next(k);
+}
+// Or in which something enters a queue.
+template <class D, int E>
 constexpr std::int64_t next_active_beat(std::int64_t k) {
-  std::int64_t next = std::numeric_limits<std::int64_t>::max();
-  for (std::size_t i = 0; i < environment_clocks<D, E>.count; ++i) {
-    const clock& c = environment_clocks<D, E>.all[i];
-    const std::int64_t behind = k <= c.first ? 0 : (k - c.first + c.period - 1) / c.period;
-    next = std::min(next, c.first + behind * c.period);
-  }
-  return next;
+  if constexpr (entry_clocks<D, E>.count == 0) return next_firing_beat<D, E>(k);
+  else return std::min(next_firing_beat<D, E>(k), entry_clocks<D, E>.next(k));
 }
 
 }  // namespace cca::detail

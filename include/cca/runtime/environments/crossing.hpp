@@ -126,13 +126,61 @@ inline constexpr bool samples_tell = [] {
           ...);
 }();
 
-// The outputs that an environment reads from others.
+// The outputs of others of which an environment stores the newest samples.
 template <class Part>
 struct arrives {
   static constexpr bool holds(std::size_t o) {
     return plan_of<Part>.outputs[o].storage == storage_kind::arriving;
   }
 };
+// The ways from outputs of others into its queues.
+template <class Part>
+struct enters {
+  static constexpr bool holds(std::size_t way) {
+    const auto& plan = plan_of<Part>;
+    const input& in = plan.inputs[way];
+    return is_on_the_way(in) && !plan.calls[array_size(in.call)].elsewhere &&
+           plan.calls[array_size(plan.outputs[array_size(in.writer)].call)].elsewhere;
+  }
+};
+template <class Part>
+using ways_from_elsewhere =
+    chosen<counts_of<Part>.queue_count == 0 ? 0 : counts_of<Part>.input_count, enters<Part>>;
+
+// The outputs that an environment reads from others.
+template <class Part>
+struct comes {
+  static constexpr bool holds(std::size_t o) {
+    if (arrives<Part>::holds(o)) return true;
+    const auto& plan = plan_of<Part>;
+    for (int i = plan.outputs[o].first_reader; i >= 0; i = plan.inputs[array_size(i)].next_of_writer)
+      if (enters<Part>::holds(array_size(i))) return true;
+    return false;
+  }
+};
+
+// Input number `i` has a queue that may reject what arrives when a beat begins.
+template <class Plan>
+constexpr bool may_reject_entries(const Plan& plan, int i) {
+  if (plan.inputs[array_size(i)].way_of >= 0) return false;
+  for (int way = i; way >= 0; way = plan.inputs[array_size(way)].next_way)
+    if (may_fault_at_begin(plan.inputs[array_size(way)])) return true;
+  return false;
+}
+
+// The most samples that wait at a queue in another environment; 0: none does.
+template <class D, int Output>
+inline constexpr int most_waiting = [] {
+  if (is_request<D>(Output)) return 0;
+  auto plan = plan_of<D>;
+  const flat_view g = plan.view();
+  int most = 0;
+  for (int i = g.outputs[Output].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+    if (const auto& in = g.inputs[i];
+        in.queue >= 0 && environment_of(g, in.call) != environment_of(g, g.outputs[Output].call))
+      most = std::max(most, in.wire->capacity);
+  return most;
+}();
 
 // How many beats an environment may be ahead of those that read from it, and of the first one, as fast as
 // possible. More than that smooths nothing: the samples of a ring stay in the caches while it is short.
@@ -153,7 +201,7 @@ inline constexpr bool samples_show_progress = [] {
              ticks.first + delay <= most_ahead<D> + 1 && ticks.period - 1 + delay <= most_ahead<D>;
     };
     return samples_tell<D, From, Output...> && (shows(plan.outputs[Output]) || ...);
-  }(chosen<counts_of<D>.output_count, arrives<part<D, To>>>{});
+  }(chosen<counts_of<D>.output_count, comes<part<D, To>>>{});
 }();
 
 // Those that write to an environment, and all if it is the first, see from its samples how far it is.

@@ -62,6 +62,7 @@ class deployed<D> : public detail::component_host<deployed<D>, D>,
   friend placed;
   friend detail::live_components;
   friend detail::stoppable_parts<deployed<D>, D>;
+  friend detail::dropped_samples<deployed<D>, D>;
   friend detail::figures_of_runs<deployed<D>, D>;
 
 public:
@@ -310,7 +311,8 @@ private:
   }
 
   using host::idle, host::move, host::now, host::reason;
-  using placed::component, placed::component_of, placed::visit, placed::for_each_part_state;
+  using placed::component, placed::component_of, placed::visit, placed::for_each_part_state,
+      placed::for_each_state;
   using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in;
   using placed::loops, placed::here;
 

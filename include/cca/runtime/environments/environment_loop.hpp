@@ -46,6 +46,7 @@ public:
     state.requests.forget(exchanged);
     has_handled_fault = false;
     skip_to(beat);
+    state.begin_queues(beat);
     own().begun = beat - 1;
     own().begun_at[0] = own().begun_at[1] = own().interval = 0;
     own().slowest.forget();
@@ -226,7 +227,7 @@ private:
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
-    beat_of_graph<Key>::run(state, outcome, k);
+    if (begins<Key>(state, outcome, k)) beat_of_graph<Key>::run(state, outcome, k);
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->end();
     if constexpr (is_probed<Key>) state.end_frame();
@@ -317,6 +318,8 @@ private:
   }
 
   void lose_until(std::int64_t next) {
+    // Beats in which samples only enter queues are none that are lost: they enter in the next one.
+    if (const std::int64_t fires = std::min(next_firing_beat<D, E>(k), next); fires > k) k = fires;
     add(own().lost_periods, next - k);
     if (next > k) skip_to(next);
   }
@@ -324,7 +327,7 @@ private:
   // The newest beat up to `now`, and from k on, in which something can fire.
   std::int64_t newest_due(std::int64_t now) const {
     std::int64_t newest = k;
-    for (std::int64_t next = k; (next = next_active_beat<D, E>(next + 1)) <= now;) newest = next;
+    for (std::int64_t next = k; (next = next_firing_beat<D, E>(next + 1)) <= now;) newest = next;
     return newest;
   }
 

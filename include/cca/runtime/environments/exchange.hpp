@@ -2,7 +2,8 @@
 // between processes. Each number has one writer. Nobody locks, and a writer never waits for a reader.
 //
 // A position counts beats and the calls in them: in beat k, behind the call of rank r in the whole graph, it
-// is k * calls_and_one + r + 1; when beat k is done it is (k + 1) * calls_and_one.
+// is k * calls_and_one + r + 1; when beat k is done it is (k + 1) * calls_and_one. Queues that may reject
+// what arrives when a beat begins count as calls before the first.
 #pragma once
 
 #include <algorithm>
@@ -26,15 +27,26 @@ inline constexpr std::int64_t no_position = std::numeric_limits<std::int64_t>::m
 template <class D>
 using environments_here = std::array<bool, array_size(environment_count<D>)>;
 
-// Enough for the samples of the beats in which the writer is ahead, and for those that are not due.
+// Enough for the samples of the beats in which the writer is ahead, and for those that are not due; and for
+// all that a queue may hold, if its environment stands still on a clock.
 template <class D, int Output>
-inline constexpr int ring_capacity =
-    static_cast<int>(std::bit_ceil(static_cast<unsigned>(most_ahead<D> + largest_delay_of<D, Output> + 2)));
+inline constexpr int ring_capacity = static_cast<int>(std::bit_ceil(
+    static_cast<unsigned>(most_ahead<D> + largest_delay_of<D, Output> + 2 + most_waiting<D, Output>)));
 
 template <class D, int Output>
 struct leaving_samples {
-  sample_ring<size_of_leaving<D, Output>, ring_capacity<D, Output>> ring;
+  sample_ring<size_of_leaving<D, Output>, ring_capacity<D, Output>, (most_waiting<D, Output> > 0)> ring;
 };
+
+// Where a beat begins with samples that a full queue must not reject: how many such queues there are. They
+// come before all calls.
+template <class D>
+inline constexpr int rejecting_entries = [] {
+  int count = 0;
+  for (std::size_t i = 0; i < array_size(counts_of<D>.input_count); ++i)
+    count += may_reject_entries(plan_of<D>, static_cast<int>(i));
+  return count;
+}();
 
 // Why an environment ended a run, and where.
 struct fault_record {
@@ -115,7 +127,7 @@ template <class D, class Outputs = all_that_leaves<D>>
 struct exchange;
 template <class D, int... Output>
 struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, Output>... {
-  static constexpr std::int64_t calls_and_one = counts_of<D>.order_count + 1;
+  static constexpr std::int64_t calls_and_one = rejecting_entries<D> + counts_of<D>.order_count + 1;
   static constexpr std::int64_t position_of(std::int64_t beat, int done = 0) {
     return beat * calls_and_one + done;
   }

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include <cca/runtime/environments/crossing.hpp>
+#include <cca/runtime/environments/exchange.hpp>
 
 namespace cca::detail {
 
@@ -20,6 +20,10 @@ struct fault_order {
   std::array<std::array<int, calls>, array_size(environment_count<D>)> needed{};
   // The same behind the last call of a beat.
   std::array<int, array_size(environment_count<D>)> last{};
+
+  // Of each input with a queue that may reject what arrives when a beat begins: its rank, before all calls.
+  std::array<int, array_size(graph_size<D>.ways()) + 1> rank_of_entries{};
+  int own_entries = 0;  // how many of these must be done when those of this environment are; 0: it has none
 };
 
 template <class D, int E>
@@ -28,16 +32,24 @@ inline constexpr auto fault_order_of = [] {
   auto plan = plan_of<D>;
   const auto g = plan.view();
   std::size_t here = 0;
+  int entries = 0;
+  for (int i = 0; i < g.input_count; ++i) {
+    if (!may_reject_entries(plan, i)) continue;
+    order.rank_of_entries[array_size(i)] = entries++;
+    const int environment = environment_of(g, g.inputs[i].call);
+    order.last[array_size(environment)] = entries;
+    if (environment == E) order.own_entries = entries;
+  }
   for (int r = 0; r < g.call_count; ++r) {
     const auto& c = g.calls[g.order[r]];
     const int environment = environment_of(g, g.order[r]);
     if (environment == E) {
-      order.whole_rank[here] = r;
+      order.whole_rank[here] = entries + r;
       for (std::size_t x = 0; x < order.last.size(); ++x)
         if (x != E) order.needed[x][here] = order.last[x];
       ++here;
     }
-    if (may_fault_in(g, c)) order.last[array_size(environment)] = r + 1;
+    if (may_fault_in(g, c)) order.last[array_size(environment)] = entries + r + 1;
   }
   return order;
 }();

@@ -12,6 +12,7 @@
 #include <cca/runtime/environments/parts/part_requests.hpp>
 #include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/environments/queues/ways_from_elsewhere.hpp>
 #include <cca/runtime/recording/beat_tap.hpp>
 
 namespace cca::detail {
@@ -22,16 +23,20 @@ struct next_arrival {
   std::uint64_t number = 0;
   std::int64_t newest = -1;  // the beat in which the one before was published
 };
-
 template <class D,
           int E,
           class Others = std::make_integer_sequence<int, environment_count<D>>,
-          class Arriving = chosen<counts_of<D>.output_count, arrives<part<D, E>>>>
+          class Arriving = chosen<counts_of<D>.output_count, arrives<part<D, E>>>,
+          class Entering = ways_from_elsewhere<part<D, E>>>
 class environment_links;
 
-template <class D, int E, int... Other, int... Arriving>
-class environment_links<D, E, std::integer_sequence<int, Other...>, std::integer_sequence<int, Arriving...>>
-    : next_arrival<D, Arriving>... {
+template <class D, int E, int... Other, int... Arriving, int... Way>
+class environment_links<D,
+                        E,
+                        std::integer_sequence<int, Other...>,
+                        std::integer_sequence<int, Arriving...>,
+                        std::integer_sequence<int, Way...>> : next_arrival<D, Arriving>...,
+                                                              public next_by_way<D, Way>... {
 public:
   exchange<D>* shared = nullptr;
   const peers* others = nullptr;   // null: all environments are in this process
@@ -56,6 +61,10 @@ public:
     (receive_one<Arriving>(state, k), ...);
     if constexpr (has_parts) received = k + 1;
   }
+
+  // The queues of this environment begin with what arrives in beat k or later. Only in an environment that
+  // joins others which have been running is there anything older.
+  void begin_queues([[maybe_unused]] std::int64_t k) noexcept { (skip_arrived<Way>(k), ...); }
 
   // Beat k was cut or skipped: what should have left by a known clock leaves again.
   void repeat_leaving(std::int64_t k) noexcept {
@@ -164,6 +173,16 @@ public:
     fault_rank = order.whole_rank[array_size(Rank)];
     return false;
   }
+  // What arrived when beat k began has entered the queues. `outcome`: one was full and rejects it.
+  CCA_INLINE bool have_entered([[maybe_unused]] std::int64_t k,
+                               [[maybe_unused]] const beat_outcome& outcome,
+                               [[maybe_unused]] int input) noexcept {
+    if constexpr (order.own_entries > 0) {
+      if (outcome.fault) fault_rank = order.rank_of_entries[array_size(input)];
+      else move_to(exchange<D>::position_of(k, order.own_entries));
+    }
+    return !outcome.fault;
+  }
 
 private:
   static constexpr const auto& order = fault_order_of<D, E>;
@@ -210,6 +229,15 @@ private:
       arrive(came.vector, came.origin, came.published_in);
   }
 
+  template <int OfWay>
+  void skip_arrived(std::int64_t k) noexcept {
+    constexpr const input& in = input_of<part<D, E>, OfWay>;
+    const auto& ring = shared->template ring<in.writer>();
+    typename std::remove_cvref_t<decltype(ring)>::sample old;
+    auto& next = static_cast<next_by_way<D, OfWay>&>(*this);
+    while (next.newest < 0 && ring.take(next.number, k - in.delay, old)) {}
+  }
+
   template <int Output>
   void repeat_one(std::int64_t k) noexcept {
     if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
@@ -227,18 +255,20 @@ private:
     return has_come_to<X>(exchange<D>::position_of(beats));
   }
 
-  template <int X, int Output>
-  bool is_here(std::int64_t k) const noexcept {
+  template <int X, int Output, class Next>
+  bool is_here(std::int64_t k, const Next& next) const noexcept {
     if constexpr (environment_of_output<Output> != X) return true;
     const std::int64_t beat = newest_tick(published_of<D, Output>, k);
-    const auto& next = static_cast<const next_arrival<D, Output>&>(*this);
     return next.newest >= beat || shared->template ring<Output>().has(next.number, beat);
   }
   // All samples of X up to beat k.
   template <int X>
   bool are_here(std::int64_t k) noexcept {
-    if constexpr (samples_tell<D, X, Arriving...>)
-      if ((is_here<X, Arriving>(k) && ...)) return true;
+    if constexpr (samples_tell<D, X, Arriving..., input_of<part<D, E>, Way>.writer...>)
+      if ((is_here<X, Arriving>(k, static_cast<const next_arrival<D, Arriving>&>(*this)) && ...) &&
+          (is_here<X, input_of<part<D, E>, Way>.writer>(k, static_cast<const next_by_way<D, Way>&>(*this)) &&
+           ...))
+        return true;
     return has_done<X>(k + 1);
   }
 

@@ -70,6 +70,13 @@ protected:
     }(std::make_integer_sequence<int, counts_of<D>.node_count>{});
   }
 
+  template <class F>
+  void for_each_state(F f) const {
+    loops.for_each([&]<int E>(const auto& loop) {
+      if (here[E]) f.template operator()<part<D, E>>(loop.state);
+    });
+  }
+
   // f(observation) for each output that an `observe` names, before beat k, in declaration order.
   template <class F>
   void observe_here(std::int64_t k, F& f) const {

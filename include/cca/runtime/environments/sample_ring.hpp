@@ -17,7 +17,19 @@ namespace cca::detail {
 // being overwritten is seen as such. As fast as possible the writer waits for its readers, so nobody
 // overwrites what somebody reads, and coordinates are copied as a block. A process that dies while it writes
 // leaves no broken sample, and no lock.
-template <int Size, int Capacity>
+//
+// `Marks`: a reader may ask whether a sample is one that was repeated.
+template <bool Marks>
+struct repeat_mark {
+  void mark(bool) noexcept {}
+};
+template <>
+struct repeat_mark<true> {
+  std::atomic<bool> is_repeated{false};
+  void mark(bool repeated) noexcept { is_repeated.store(repeated, std::memory_order_release); }
+};
+
+template <int Size, int Capacity, bool Marks = false>
 class alignas(64) sample_ring {
   static_assert(std::has_single_bit(static_cast<unsigned>(Capacity)));
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
@@ -28,16 +40,22 @@ public:
   struct sample {
     std::int64_t published_in = -1, origin = 0;  // beat, ns
     vector_type vector;
+    bool is_repeated = false;
   };
 
   // The writer's. `is_exact`: as fast as possible.
   template <class Vector>
-  void put(const Vector& v, std::int64_t origin, std::int64_t k, bool is_exact = false) noexcept {
+  void put(const Vector& v,
+           std::int64_t origin,
+           std::int64_t k,
+           bool is_exact = false,
+           bool is_repeated = false) noexcept {
     const std::uint64_t number = count.load(std::memory_order_relaxed);
     slot& s = slots[index(number)];
     s.state.store(2 * number + 1, std::memory_order_relaxed);
     s.published_in.store(k, std::memory_order_release);
     s.origin.store(origin, std::memory_order_release);
+    s.mark(is_repeated);
     if (is_exact) Eigen::Map<vector_type>(s.coordinates.data()) = v;
     else
       for (int c = 0; c < Size; ++c) s.coordinate(c).store(double(v[c]), std::memory_order_release);
@@ -64,6 +82,7 @@ public:
       if (state == 2 * next + 2) {
         to.published_in = s.published_in.load(std::memory_order_acquire);
         to.origin = s.origin.load(std::memory_order_acquire);
+        if constexpr (Marks) to.is_repeated = s.is_repeated.load(std::memory_order_acquire);
         for (int c = 0; c < Size; ++c) to.vector[c] = s.coordinate(c).load(std::memory_order_acquire);
         state = s.state.load(std::memory_order_relaxed);
         if (state == 2 * next + 2) {
@@ -126,7 +145,7 @@ public:
     if (number == 0) return;
     sample last;
     std::uint64_t newest = number - 1;
-    if (take(newest, k, last)) put(last.vector, last.origin, k, false);
+    if (take(newest, k, last)) put(last.vector, last.origin, k, false, true);
   }
 
 private:
@@ -139,7 +158,7 @@ private:
     return std::max(count.load(std::memory_order_acquire), state / 2) - Capacity + 2;
   }
   // On a line of its own: small samples need one transfer between two cores.
-  struct alignas(64) slot {
+  struct alignas(64) slot : repeat_mark<Marks> {
     std::atomic<std::uint64_t> state{0};  // 2 n + 2: it has sample n; 2 n + 1: that is being written
     std::atomic<std::int64_t> published_in{0}, origin{0};
     std::array<double, array_size(Size)> coordinates{};

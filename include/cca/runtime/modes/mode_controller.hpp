@@ -98,6 +98,7 @@ public:
 private:
   friend detail::component_host<controller, M>;
   friend detail::stoppable_parts<controller, M>;
+  friend detail::dropped_samples<controller, M>;
   friend host;
   friend detail::live_components;
   template <int I>
@@ -119,6 +120,11 @@ private:
   template <class F, class Controller>
   static void for_each_part_state(int, F f, Controller& self) {
     with_mode(self.active, [&]<int I>() { f.template operator()<part<I>>(self.state_of_all, self.k); });
+  }
+
+  template <class F>
+  void for_each_state(F f) const {
+    f.template operator()<M>(state_of_all);
   }
 
   // Parameters are those of all modes, on_start and on_stop the active one's.
@@ -171,7 +177,8 @@ private:
     if constexpr (detail::is_probed<Key>) state_of_all.template begin_frame<part<I>>(k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->begin(k, detail::trace_name(detail::first_node_of_mode<M, I>, detail::phase_of_beat::process));
-    detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
+    if (detail::begins<Key>(state_of_all, outcome, k))
+      detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->end();
     if constexpr (detail::is_probed<Key>) state_of_all.end_frame();

@@ -56,20 +56,34 @@ struct passing_output {
   }
 };
 template <class M, int I>
+struct kept_for_queues {
+  std::array<int, array_size(graph_size<mode_part<M, I>>.ways() + 1)> queues{}, ways{};
+};
+template <class M, int I>
 inline constexpr auto queues_of_mode = [] {
-  std::array<int, array_size(graph_size<mode_part<M, I>>.inputs + 1)> numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const bool is_queue = i + 1 < numbers.size() && plan_of<mode_part<M, I>>.inputs[i].queue >= 0;
-    numbers[i] = is_queue ? sharing::find_queue(view_of_mode<M, I>, static_cast<int>(i), shown_plan<M>) : -1;
+  kept_for_queues<M, I> numbers;
+  numbers.queues.fill(-1);
+  numbers.ways.fill(-1);
+  for (std::size_t i = 0; i < array_size(counts_of<mode_part<M, I>>.input_count); ++i) {
+    const input& in = plan_of<mode_part<M, I>>.inputs[i];
+    const int number = static_cast<int>(i);
+    if (is_queued(in) && in.way_of < 0)
+      numbers.queues[i] = sharing::find_queue(view_of_mode<M, I>, number, shown_plan<M>);
+    if (is_on_the_way(in)) numbers.ways[i] = sharing::find_way(view_of_mode<M, I>, number, shown_plan<M>);
   }
   return numbers;
 }();
+template <class M>
+constexpr bool is_passing(int queue) {
+  return queue >= 0 && plan_of<M>.inputs[array_size(queue)].modes != every_mode<M>;
+}
 template <class M, int I>
 struct passing_queue {
-  static constexpr bool holds(std::size_t i) {
-    const int queue = queues_of_mode<M, I>[i];
-    return queue >= 0 && plan_of<M>.inputs[array_size(queue)].modes != every_mode<M>;
-  }
+  static constexpr bool holds(std::size_t i) { return is_passing<M>(queues_of_mode<M, I>.queues[i]); }
+};
+template <class M, int I>
+struct passing_way {
+  static constexpr bool holds(std::size_t i) { return is_passing<M>(queues_of_mode<M, I>.ways[i]); }
 };
 
 template <class M, int I>
@@ -90,14 +104,16 @@ struct mode_switch {
       if (rests(call_of<part, Call>.node)) return;  // when it starts again nothing that was counts
       if (const auto last = newest_tick(call_of<part, Call>.own_clock, k - 1);
           last >= 0 && last >= known_since<Call>(state)) {
-        last_firing& kept = state.firings[layout_of<part>.calls[Call].firing];
+        last_firing& kept = last_firing_of<Call>(state);
         kept.last = last;
         kept.is_first = false;
       }
     });
     for_each<counts.call_count, kept_firing<M, I>>([&]<int Call>() {
-      if (!has_mode(modes_with<M, I>(call_of<part, Call>.node), next))
-        state.firings[layout_of<part>.calls[Call].firing] = {};
+      if (!has_mode(modes_with<M, I>(call_of<part, Call>.node), next)) last_firing_of<Call>(state) = {};
+    });
+    for_each<counts.call_count, keeps_strategy<part>>([&]<int Call>() {
+      if (!has_mode(modes_with<M, I>(call_of<part, Call>.node), next)) strategy_in<part, Call>(state) = {};
     });
     if constexpr (parts_kept<M> > 0)
       for (int p = 0; p < parts_kept<M>; ++p)
@@ -115,9 +131,16 @@ struct mode_switch {
         begin_anew<Output>();
     });
     for_each<counts.input_count, passing_queue<M, I>>([&]<int Input>() {
-      constexpr int queue = queues_of_mode<M, I>[array_size(Input)];
+      constexpr int queue = queues_of_mode<M, I>.queues[array_size(Input)];
       if (!has_mode(plan_of<M>.inputs[array_size(queue)].modes, last)) {
         constexpr place at = layout_of<M>.sources[queue];
+        sample_in<M, at.array>(state, at.index).forget();
+      }
+    });
+    for_each<counts.input_count, passing_way<M, I>>([&]<int Way>() {
+      constexpr int way = queues_of_mode<M, I>.ways[array_size(Way)];
+      if (!has_mode(plan_of<M>.inputs[array_size(way)].modes, last)) {
+        constexpr place at = layout_of<M>.on_the_way[way];
         sample_in<M, at.array>(state, at.index).forget();
       }
     });
@@ -128,6 +151,12 @@ struct mode_switch {
   }
 
 private:
+  // A template on the state: a set of modes whose clocks are all known keeps none.
+  template <int Call, class State>
+  static last_firing& last_firing_of(State& in) {
+    return in.firings[layout_of<part>.calls[Call].firing];
+  }
+
   // Components of this mode, but not of all modes, that have on_start, or on_stop.
   template <bool Starts>
   struct hook {

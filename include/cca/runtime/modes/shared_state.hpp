@@ -3,8 +3,10 @@
 // the outputs of all modes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include <cca/graph/layout/layout_of_modes.hpp>
 #include <cca/runtime/recording/beat_tap.hpp>
@@ -18,13 +20,69 @@ inline constexpr int parts_kept<mode_part<M, I>> = parts_kept<M>;
 template <class M, int I>
 inline constexpr const auto& kept_parts<mode_part<M, I>> = kept_parts<M>;
 
+// The strategies that have a state: one object for all modes in which a component has the same one. It is
+// that of the first of these modes.
+template <Modes M>
+struct keeps_strategy<M> {
+  static constexpr bool holds(std::size_t) { return false; }
+};
+template <class M, int I>
+constexpr int shared_call_of(int call) {
+  return shared_plan_of<M>.view_of(shown_plan<mode_part<M, I>>, shown_plan<M>).shared_call(call);
+}
+struct place_in_mode {
+  int mode = -1, call = -1;
+};
+template <class M, int I, int Call>
+inline constexpr place_in_mode owner_of_strategy = [] {
+  constexpr int shared = shared_call_of<M, I>(Call);
+  constexpr auto key = plan_of<mode_part<M, I>>.nodes[call_of<mode_part<M, I>, Call>.node].item->strategy_key;
+  place_in_mode first;
+  [&]<int... J>(std::integer_sequence<int, J...>) {
+    const auto look = [&]<int Mode>(std::integral_constant<int, Mode>) {
+      for (int c = 0; first.mode < 0 && c < counts_of<mode_part<M, Mode>>.call_count; ++c)
+        if (shared_call_of<M, Mode>(c) == shared && keeps_strategy<mode_part<M, Mode>>::holds(array_size(c)) &&
+            plan_of<mode_part<M, Mode>>.nodes[array_size(plan_of<mode_part<M, Mode>>.calls[array_size(c)].node)]
+                    .item->strategy_key == key)
+          first = {Mode, c};
+    };
+    (look(std::integral_constant<int, J>{}), ...);
+  }(std::make_integer_sequence<int, I + 1>{});
+  return first;
+}();
+template <class M, int I, int Call>
+struct place_of_strategy<mode_part<M, I>, Call> {
+  static constexpr place_in_mode owner = owner_of_strategy<M, I, Call>;
+  using type = kept_strategy<mode_part<M, owner.mode>, owner.call>;
+};
+
+template <class M,
+          int I,
+          class Calls = chosen<counts_of<mode_part<M, I>>.call_count, keeps_strategy<mode_part<M, I>>>>
+struct own_strategies;
+template <class M, int I, int... Call>
+struct own_strategies<M, I, std::integer_sequence<int, Call...>> {
+  static constexpr std::array<bool, sizeof...(Call) + 1> are_own{owner_of_strategy<M, I, Call>.mode == I...,
+                                                                 false};
+  static constexpr std::array<int, sizeof...(Call) + 1> calls{Call..., -1};
+  struct is_own {
+    static constexpr bool holds(std::size_t c) {
+      for (std::size_t n = 0; n < sizeof...(Call); ++n)
+        if (calls[n] == static_cast<int>(c)) return are_own[n];
+      return false;
+    }
+  };
+  using type = kept_strategies<mode_part<M, I>, chosen<counts_of<mode_part<M, I>>.call_count, is_own>>;
+};
+
 // One object is the state of every mode: each is derived from the one before, and the first from what all
 // share.
 template <class M, int I>
-struct controller_state<mode_part<M, I>> : controller_state<mode_part<M, I - 1>> {};
+struct controller_state<mode_part<M, I>> : controller_state<mode_part<M, I - 1>>,
+                                           own_strategies<M, I>::type {};
 
 template <class M>
-struct controller_state<mode_part<M, 0>> : controller_state<M> {
+struct controller_state<mode_part<M, 0>> : controller_state<M>, own_strategies<M, 0>::type {
   std::int64_t since = 0;  // the beat in which the active mode began
   int requested = -1;      // the mode that a component asks for
 

@@ -23,6 +23,8 @@ template <class Graph, int First>
 struct array_of_components;
 template <class Graph, int Array>
 struct array_of_samples;
+template <class Graph, int Call>
+struct place_of_strategy;
 
 // What all loops tell, between two beats or at the end of one, in the thread of the loop: no allocation, no
 // wait.
@@ -162,6 +164,8 @@ template <class Graph, int First>
 struct array_of_components<probed<Graph>, First> {
   using type = typename array_of_components<Graph, First>::type;
 };
+template <class Graph, int Call>
+struct place_of_strategy<probed<Graph>, Call> : place_of_strategy<Graph, Call> {};
 template <class Graph, int Array>
 struct array_of_samples<probed<Graph>, Array> {
   using type = typename array_of_samples<Graph, Array>::type;

@@ -32,21 +32,14 @@ inline void write_space(std::ostream& to, const space_info& space) {
      << std::dec << std::setfill(' ');
 }
 
-// "delayed 3, initial 0.5", "queue of 4, drop_oldest": the policy of a wire.
+// "delayed 3, initial 0.5", "delayed 1, queue of 4, drop_oldest": the policy of a wire.
 inline void write_policy(std::ostream& to, const item_info& wire) {
   constexpr std::string_view full[] = {"drop_oldest", "drop_newest", "reject", "unknown"};
-  switch (wire.policy) {
-    case policy_kind::unstated:
-    case policy_kind::latest:
-      to << "latest";
-      break;
-    case policy_kind::delayed:
-      to << "delayed " << wire.number;
-      break;
-    case policy_kind::queue:
-      to << "queue of " << wire.number << ", " << full[static_cast<int>(wire.full)];
-      break;
-  }
+  if (wire.delay > 0) to << "delayed " << wire.delay << (wire.has_queue() ? ", " : "");
+  else if (!wire.has_queue()) to << "latest";
+  if (wire.has_queue())
+    to << (wire.policy == policy_kind::merged ? "merged into a queue of " : "queue of ") << wire.capacity
+       << ", " << full[static_cast<int>(wire.full)];
   if (!wire.initial) return;
   to << ", initial";
   for (int i = 0; i < wire.initial_count; ++i) to << ' ' << number_text(wire.initial[i]);

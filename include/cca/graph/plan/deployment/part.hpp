@@ -35,8 +35,13 @@ constexpr bool may_fault_in(const flat_view& g, const call& c) {
   if (c.function->may_fault) return true;
   for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
     for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (g.inputs[i].queue >= 0 && g.inputs[i].wire->full == full_kind::reject) return true;
+      if (const auto& in = g.inputs[i]; in.queue >= 0 && in.delay == 0 && in.wire->full == full_kind::reject)
+        return true;
   return false;
+}
+// When a beat begins, something may arrive at a queue that rejects it.
+constexpr bool may_fault_at_begin(const input& way) {
+  return is_on_the_way(way) && way.wire->full == full_kind::reject;
 }
 
 // Keeps the calls of one environment, in their order.
@@ -54,8 +59,11 @@ constexpr flat_view take_part(flat_view g, int environment) {
     g.may_fault |= may_fault_in(g, c);
   }
   g.order_count = count;
-  for (int i = 0; i < g.input_count; ++i)
-    g.inputs[i].in_beat = g.inputs[i].known_now = g.inputs[i].own_initial = false;
+  for (int i = 0; i < g.input_count; ++i) {
+    auto& in = g.inputs[i];
+    in.in_beat = in.known_now = in.own_initial = false;
+    g.may_fault |= may_fault_at_begin(in) && !g.calls[in.call].elsewhere;
+  }
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];
     out.storage = storage_kind::none;

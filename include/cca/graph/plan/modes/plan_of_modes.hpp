@@ -73,6 +73,7 @@ struct modes_of<M, list<Items...>> {
         sum.nodes += one.nodes, sum.scopes += one.scopes, sum.calls += one.calls;
         sum.inputs += one.inputs, sum.outputs += one.outputs;
         sum.parts += one.parts, sum.part_requests += one.part_requests;
+        sum.merged += one.merged, sum.exposes += one.exposes;
       }
     };
     (add(box<typename item_of_modes<Items>::graph>{}), ...);
@@ -150,6 +151,12 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
     g.calls[c].unsteady = g.calls[c].own_clock.known() && shared.own_clock.dynamic();
     g.calls[c].other_clocks = shared.other_clocks;
   }
+  for (int i = 0; i < g.input_count; ++i)
+    if (auto& in = g.inputs[i]; in.queue >= 0 && in.way_of < 0) {
+      const auto& shared = view.whole.inputs[sharing::find_queue(view, i, view.whole)];
+      in.counts_vary = shared.counts_vary;
+      in.counts_arrivals = shared.counts_arrivals;
+    }
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];
     const auto& shared = view.whole.outputs[view.shared_output(o)];
@@ -161,7 +168,7 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
       in.own_initial = out.storage == storage_kind::newest && in.queue < 0 && !in.in_beat &&
-                       !storage_step::same_initial(out.initial_of, in.wire, port_of(g, in).space->size);
+                       !same_initial(out.initial_of, in.initial, port_of(g, in).space->size);
     }
   }
   return g;

@@ -36,7 +36,7 @@ struct parting {
 
 constexpr bool carries_alike(const input& a, const input& b) {
   return a.delay == b.delay && (a.queue >= 0) == (b.queue >= 0) &&
-         (a.queue < 0 || (a.wire->number == b.wire->number && a.wire->full == b.wire->full));
+         (a.queue < 0 || (a.wire->capacity == b.wire->capacity && a.wire->full == b.wire->full));
 }
 
 constexpr parting find_parting(
@@ -45,6 +45,11 @@ constexpr parting find_parting(
   if (one.shared_output(a.writer) != other.shared_output(b.writer)) return {input, other_input};
   if (a.writer < 0 || depth > one.g.node_count) return {};
   if (!carries_alike(a, b)) return {input, other_input};
+  if (a.next_way >= 0 || b.next_way >= 0) {
+    if (a.next_way < 0 || b.next_way < 0) return {input, other_input};
+    if (const auto found = find_parting(one, a.next_way, other, b.next_way, depth); found.input >= 0)
+      return found;
+  }
   const auto& from = one.g.calls[one.g.outputs[a.writer].call];
   const auto& from_other = other.g.calls[other.g.outputs[b.writer].call];
   if (ends_limit_search(one.g, from)) return {};

@@ -135,33 +135,76 @@ struct sharing {
       if (out.depth > own.depth) own.depth = out.depth;
       if (!own.initial_of) own.initial_of = out.initial_of;
     }
-    for (int i = 0; i < view.g.input_count; ++i)
-      if (view.g.inputs[i].queue >= 0) join_queue(view, mode, i);
+    for (int i = 0; i < view.g.input_count; ++i) {
+      const auto& in = view.g.inputs[i];
+      if (in.queue < 0) continue;
+      if (in.way_of < 0) join_queue(view, mode, i);
+      if (is_on_the_way(in) && is_for_many(in)) join_way(view, mode, i);
+    }
   }
 
   constexpr void join_queue(const mode_view& view, int mode, int i) {
+    const auto& in = view.g.inputs[i];
     auto& own = to.inputs[find_queue(view, i, to)];
     if (own.queue < 0) {
-      const auto& in = view.g.inputs[i];
+      own = in;
+      own.call = view.shared_call(in.call);
+      own.writer = is_for_many(in) ? -1 : view.shared_output(in.writer);
+      own.next_way = -1;
+      if (is_for_many(in)) own.delay = 0;  // what is under way is kept for each wire
+      own.queue = to.queue_count++;
+      ++to.input_count;
+    }
+    own.modes |= bit_of(mode);
+    own.counts_vary |= in.counts_vary;
+    own.counts_arrivals |= in.counts_arrivals;
+  }
+  constexpr void join_way(const mode_view& view, int mode, int i) {
+    const auto& in = view.g.inputs[i];
+    const int queue = find_queue(view, in.way_of >= 0 ? in.way_of : i, to);
+    auto& own = to.inputs[find_way(view, i, to)];
+    if (own.queue < 0) {
       own = in;
       own.call = view.shared_call(in.call);
       own.writer = view.shared_output(in.writer);
-      own.queue = to.queue_count++;
+      own.next_way = -1;
+      own.queue = to.inputs[queue].queue;
+      own.way_of = queue;
       ++to.input_count;
     }
     own.modes |= bit_of(mode);
   }
 
-  // The queue of the same wire among those of all modes; if there is none, the number of the next one.
+  // Several wires may lead into its queue, other ones in another mode.
+  static constexpr bool is_for_many(const input& in) { return in.wire->policy == policy_kind::merged; }
+
+  // The queue of an input among those of all modes; if there is none, the number of the next one.
   static constexpr int find_queue(const mode_view& view, int i, const flat_view& whole) {
     const auto& in = view.g.inputs[i];
-    const int call = view.shared_call(in.call), writer = view.shared_output(in.writer);
+    const int call = view.shared_call(in.call);
+    const int writer = is_for_many(in) ? -1 : view.shared_output(in.writer);
     int q = 0;
     for (; q < whole.input_count; ++q) {
       const auto& own = whole.inputs[q];
-      if (own.call == call && own.port == in.port && own.writer == writer && carries_alike(own, in)) break;
+      if (own.call == call && own.port == in.port && own.way_of < 0 && own.writer == writer &&
+          is_for_many(own) == is_for_many(in) && own.wire->capacity == in.wire->capacity &&
+          own.wire->full == in.wire->full && (is_for_many(in) || own.delay == in.delay))
+        break;
     }
     return q;
+  }
+  // The same of a delayed way into it.
+  static constexpr int find_way(const mode_view& view, int i, const flat_view& whole) {
+    const auto& in = view.g.inputs[i];
+    if (!is_for_many(in)) return find_queue(view, i, whole);
+    const int queue = find_queue(view, in.way_of >= 0 ? in.way_of : i, whole);
+    const int writer = view.shared_output(in.writer);
+    int w = 0;
+    for (; w < whole.input_count; ++w) {
+      const auto& own = whole.inputs[w];
+      if (own.way_of == queue && own.writer == writer && own.delay == in.delay) break;
+    }
+    return w;
   }
 
   constexpr void check_nodes() {

@@ -12,19 +12,42 @@ struct connector {
   std::uint64_t mask;
 
   constexpr void connect(int writer, int reader, const item_info& item, int in_scope) {
-    auto& in = g.inputs[reader];
     const finding facts{.item = &item, .scope = in_scope, .input = reader, .output = writer};
-    if (in.writer >= 0) return check<when::second_writer>(g, facts);
+    const bool is_first = g.inputs[reader].writer < 0;
+    if (!is_first && !goes_together(reader, writer, item)) return check<when::second_writer>(g, facts);
+    check<when::connection>(g, facts);
+    const int way = is_first ? reader : add_way(reader);
+    auto& in = g.inputs[way];
     in.writer = writer;
     in.wired = true;
     in.wire = &item;
-    if (item.policy == policy_kind::delayed) in.delay = item.number;
+    in.delay = item.delay;
+    if (item.initial && !g.inputs[reader].initial) g.inputs[reader].initial = &item;
     in.next_of_writer = g.outputs[writer].first_reader;
-    g.outputs[writer].first_reader = reader;
-    check<when::connection>(g, facts);
-    if (item.policy != policy_kind::queue) return;
-    in.queue = g.queue_count++;
+    g.outputs[writer].first_reader = way;
+    if (!item.has_queue()) return;
+    if (is_first) in.queue = g.queue_count++;
     if (item.full == full_kind::reject) g.may_fault = true;
+  }
+
+  // A further wire leads into the same queue, and brings other samples, or at other times.
+  constexpr bool goes_together(int reader, int writer, const item_info& item) const {
+    const auto& one = *g.inputs[reader].wire;
+    bool is_new = true;
+    for_each_way(g, reader, [&](const input& way) {
+      is_new = is_new && !(way.writer == writer && way.delay == item.delay);
+    });
+    return is_new && one.policy == policy_kind::merged && item.policy == policy_kind::merged &&
+           one.capacity == item.capacity && one.full == item.full;
+  }
+  constexpr int add_way(int reader) {
+    const auto& in = g.inputs[reader];
+    const int way = g.input_count++;
+    g.inputs[way] = {.call = in.call, .port = in.port, .queue = in.queue, .way_of = reader};
+    int last = reader;
+    while (g.inputs[last].next_way >= 0) last = g.inputs[last].next_way;
+    g.inputs[last].next_way = way;
+    return way;
   }
 
   // In a graph without inner ones no other path has an entry.
@@ -36,7 +59,8 @@ struct connector {
 
   constexpr void add_wire(const item_info& item, int in_scope) {
     const finding facts{.item = &item, .scope = in_scope};
-    if (!item.unknown_type.empty() || item.repeats_option) check<when::wire_options>(g, facts);
+    if (!item.unknown_type.empty() || item.repeats_option || item.too_small != policy_kind::unstated)
+      check<when::wire_options>(g, facts);
     const auto& from = g.scopes[in_scope];
     const auto a = path_hash(from, item.from, item.from_hash), b = path_hash(from, item.to, item.to_hash);
     const int writer = is_port(item.from) ? find(names, mask, a ^ as_output) : -1;

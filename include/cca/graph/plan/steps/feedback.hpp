@@ -91,6 +91,10 @@ constexpr flat_view find_feedback(flat_view g) {
   for (int i = 0; i < g.input_count; ++i) {
     auto& in = g.inputs[i];
     if (in.delay > 0) in.counts = !loops.closes(in.call, in.writer);
+    if (in.way_of >= 0) {
+      auto& whole = g.inputs[in.way_of];
+      whole.counts_vary |= in.counts != whole.counts;
+    }
   }
   for (int l = 0; l < g.link_count; ++l) {
     auto& link = g.links[l];

@@ -91,6 +91,23 @@ struct call_sorter {
     for (int t = 0; t < g.call_count; ++t) g.calls[t].rank = -1;
     for (int i = 0; i < done; ++i) g.calls[g.order[i]].rank = i;
     if (done < g.call_count) check<when::unordered_calls>(g, {});
+    for (int i = 0; i < g.input_count; ++i) g.inputs[i].turn = turn_of(g.inputs[i]);
+  }
+
+  // How many of the ways into the same input publish before this one in a beat.
+  constexpr int turn_of(const input& in) const {
+    int before = 0;
+    if (is_merged(in))
+      for (int i = in.way_of >= 0 ? in.way_of : first_way(in); i >= 0; i = g.inputs[i].next_way)
+        before += publishes_before(g.inputs[i], in);
+    return before;
+  }
+  constexpr int first_way(const input& in) const { return static_cast<int>(&in - g.inputs); }
+  constexpr bool publishes_before(const input& one, const input& other) const {
+    const int rank = g.calls[g.outputs[one.writer].call].rank,
+              other_rank = g.calls[g.outputs[other.writer].call].rank;
+    if (rank != other_rank) return rank < other_rank;
+    return one.writer != other.writer ? one.writer < other.writer : first_way(one) < first_way(other);
   }
 };
 

@@ -1,5 +1,5 @@
 // Step 8, choose the storage: how the samples of each output are stored. It is decided here, once;
-// runtime/stored_samples.hpp has a type for each way.
+// runtime/samples/stored_samples.hpp has a type for each way.
 //
 //   none      they have no readers except queues
 //   of_beat   only read in the beat in which they were published: where the component returned them
@@ -31,25 +31,15 @@ struct storage_step {
     return g.calls[reader_call].rank < g.calls[writer_call].rank ? delay : delay + 1;
   }
 
-  static constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
-    const bool has_a = a && a->initial, has_b = b && b->initial;
-    if (!has_a || !has_b) return has_a == has_b;
-    if (a->initial_count == 1 && b->initial_count == 1) size = 1;  // the same for all
-    for (int c = 0; c < size; ++c)
-      if (a->initial[a->initial_count == 1 ? 0 : c] != b->initial[b->initial_count == 1 ? 0 : c])
-        return false;
-    return true;
-  }
-
   // A stored sample begins with the initial value of its first reader; other readers may have their own.
   constexpr void choose_initial(output& out) {
     bool first = true;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
       if (in.queue >= 0 || in.in_beat || g.calls[in.call].elsewhere) continue;
-      if (first) out.initial_of = in.wire;
+      if (first) out.initial_of = in.initial;
       first = false;
-      in.own_initial = !same_initial(out.initial_of, in.wire, port_of(g, in).space->size);
+      in.own_initial = !same_initial(out.initial_of, in.initial, port_of(g, in).space->size);
     }
   }
 
@@ -97,6 +87,8 @@ constexpr flat_view choose_storage(flat_view g) {
   storage_step step{g};
   for (int c = 0; c < g.call_count; ++c)
     g.calls[c].stored_seen = uses_coordination(strategy_of_call(g, g.calls[c]));
+  for (int i = 0; g.queue_count > 0 && i < g.input_count; ++i)
+    g.inputs[i].counts_arrivals = strategy_of_call(g, g.calls[g.inputs[i].call]).counts_arrivals;
   for (int o = 0; o < g.output_count; ++o) step.choose_storage(o);
   return step.g;
 }

@@ -14,14 +14,14 @@ struct robot_unlimited_command {
     const int actuator = f.input;
     const auto& in = g.inputs[actuator];
     if (!is_actuated(g, in)) return false;
-    if (in.writer >= 0 && !is_limited(g, in.writer)) {
-      f.item = in.wire;
-      f.output = in.writer;
+    if (const int way = unlimited_way(g, actuator); way >= 0) {
+      f.item = g.inputs[way].wire;
+      f.output = g.inputs[way].writer;
       return true;
     }
     if (const auto beyond = find_initial_beyond_limits(g, actuator); beyond.axis >= 0) {
       const auto& wired = g.inputs[beyond.input];
-      f.item = wired.wire;
+      f.item = wired.initial;
       f.scope = scope_of_call(g, g.calls[wired.call]);
       f.input = beyond.input;
       f.other_input = actuator;

@@ -31,11 +31,20 @@ struct deployment_undelayed {
     m.say() << " and read in ";
     m.environment(environment_of(in.call));
     m.say() << ", so it takes at least a beat to get there: write ";
-    if (in.writer >= 0) m.wire_with(m.item().from, m.item().to, "cca::delayed<1>");
+    if (in.writer >= 0 && is_queued(in)) tell_queue(m);
+    else if (in.writer >= 0) m.wire_with(m.item().from, m.item().to, "cca::delayed<1>");
     else m.say() << "cca::observe<`" << port_of(m.g, in).name << "`, cca::delayed<1>>";
     if (in.writer >= 0 && m.found().scope > 0) m.say() << " in " << m.graph().name;
     m.say() << ", or a greater delay, or place both in one environment";
-    if (is_queued(in)) m.say() << " (a queue works only inside of one)";
+  }
+
+private:
+  // The delay stands beside the queue.
+  static constexpr void tell_queue(auto& m) {
+    constexpr std::string_view full[] = {"drop_oldest", "drop_newest", "reject", "..."};
+    m.say() << "cca::wire<`" << m.item().from << "`, `" << m.item().to
+            << "`, cca::delayed<1>, cca::" << (m.item().policy == policy_kind::merged ? "merged<" : "queue<")
+            << m.item().capacity << ", cca::" << full[static_cast<int>(m.item().full)] << ">>";
   }
 };
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <cca/runtime/stored_samples.hpp>
+#include <cca/runtime/samples/stored_samples.hpp>
 
 namespace cca::detail {
 
