@@ -136,6 +136,7 @@ private:
   [[gnu::noinline]] void take_requests() noexcept {
     detail::take_requests<Graph>(state_of_all, k,
                                  [this]([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
+                                   (void)this;
                                    if constexpr (detail::Recordable<Graph>)
                                      if (auto* const tap = recorded_into())
                                        tap->part_changed(part, stops, true, k);
