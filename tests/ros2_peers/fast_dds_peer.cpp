@@ -35,9 +35,11 @@ struct message : content {
 class any_type : public TopicDataType {
 public:
   explicit any_type(const std::string& type) : name(type) {
-    const std::string package = type == "JointState" || type == "Imu" ? "sensor_msgs"
-                                : type == "Float64MultiArray"         ? "std_msgs"
-                                                                      : "geometry_msgs";
+    const std::string package = type == "JointState" || type == "Imu" || type == "Image" ? "sensor_msgs"
+                                : type == "Float64MultiArray"                            ? "std_msgs"
+                                : type == "JointTrajectory"                              ? "trajectory_msgs"
+                                : type == "TFMessage"                                    ? "tf2_msgs"
+                                                                                         : "geometry_msgs";
     setName((package + "::msg::dds_::" + type + "_").c_str());
     m_typeSize = 4096;
     m_isGetKeyDefined = false;
@@ -75,10 +77,37 @@ private:
         << std::uint32_t{0} << m.numbers[1];
       return;
     }
-    c << m.sec << std::uint32_t{0} << m.frame;
-    if (name == "JointState") c << m.words << m.numbers[0] << m.numbers[1] << m.numbers[2];
-    else
+    if (name == "TFMessage") {
+      c << static_cast<std::uint32_t>(m.words.size());
+      for (std::size_t i = 0; i < m.words.size(); ++i) {
+        c << m.sec << std::uint32_t{0} << m.frame << m.words[i];
+        for (const std::size_t k : {2 * i, 2 * i + 1})
+          c.serializeArray(m.numbers[k].data(), m.numbers[k].size());
+      }
+      return;
+    }
+    if (name != "Twist") c << m.sec << std::uint32_t{0} << m.frame;
+    if (name == "JointState") {
+      c << m.words << m.numbers[0] << m.numbers[1] << m.numbers[2];
+    } else if (name == "JointTrajectory") {
+      c << m.words << static_cast<std::uint32_t>(m.numbers.size() / 5);
+      for (std::size_t i = 0; i < m.numbers.size(); i += 5) {
+        for (std::size_t k = 0; k < 4; ++k) c << m.numbers[i + k];
+        const double time = m.numbers[i + 4][0];
+        c << static_cast<std::int32_t>(time)
+          << static_cast<std::uint32_t>(1e9 * (time - static_cast<std::int32_t>(time)));
+      }
+    } else if (name == "Image") {
+      const auto& about = m.numbers[0];
+      c << static_cast<std::uint32_t>(about[0]) << static_cast<std::uint32_t>(about[1]) << m.words[0]
+        << static_cast<std::uint8_t>(about[2]) << static_cast<std::uint32_t>(about[3]);
+      std::vector<std::uint8_t> bytes;
+      for (const double byte : m.numbers[1]) bytes.push_back(static_cast<std::uint8_t>(byte));
+      c << bytes;
+    } else {
+      if (name == "TransformStamped") c << m.words[0];
       for (const auto& field : m.numbers) c.serializeArray(field.data(), field.size());
+    }
   }
   void read(Cdr& c, message& m) const {
     if (name == "Float64MultiArray") {
@@ -93,13 +122,46 @@ private:
       return;
     }
     std::uint32_t nanosec = 0;
-    c >> m.sec >> nanosec >> m.frame;
+    if (name == "TFMessage") {
+      std::uint32_t count = 0;
+      c >> count;
+      if (count != 1) return;
+    }
+    if (name != "Twist") c >> m.sec >> nanosec >> m.frame;
+    if (name == "TFMessage" || name == "TransformStamped") {
+      std::string child;
+      c >> child;
+      m.words = {child};
+    }
+    if (name == "JointTrajectory") {
+      std::uint32_t count = 0;
+      c >> m.words >> count;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        std::vector<double> fields[4];
+        std::int32_t sec = 0;
+        c >> fields[0] >> fields[1] >> fields[2] >> fields[3] >> sec >> nanosec;
+        for (const auto& field : fields) m.numbers.push_back(field);
+        m.numbers.push_back({sec + 1e-9 * nanosec});
+      }
+      return;
+    }
+    if (name == "Image") {
+      std::uint32_t height = 0, width = 0, step = 0;
+      std::string encoding;
+      std::uint8_t is_big = 0;
+      std::vector<std::uint8_t> bytes;
+      c >> height >> width >> encoding >> is_big >> step >> bytes;
+      m.words = {encoding};
+      m.numbers = {{double(height), double(width), double(is_big), double(step)},
+                   {bytes.begin(), bytes.end()}};
+      return;
+    }
     if (name == "JointState") {
       m.numbers.resize(3);
       c >> m.words >> m.numbers[0] >> m.numbers[1] >> m.numbers[2];
       return;
     }
-    for (const auto& field : told(name).numbers) {
+    for (const auto& field : told(name == "TFMessage" ? "TransformStamped" : name).numbers) {
       std::vector<double> some(field.size());
       c.deserializeArray(some.data(), some.size());
       m.numbers.push_back(some);

@@ -124,6 +124,141 @@ struct float64_multi_array {
   }
 };
 
+std::vector<double> list_4(const geometry_msgs_msg_dds__Quaternion_& q) { return {q.x_, q.y_, q.z_, q.w_}; }
+geometry_msgs_msg_dds__Quaternion_ quaternion(const std::vector<double>& q) {
+  return {q[0], q[1], q[2], q[3]};
+}
+
+struct pose_stamped {
+  using type = geometry_msgs_msg_dds__PoseStamped_;
+  static const dds_topic_descriptor_t& about() { return geometry_msgs_msg_dds__PoseStamped__desc; }
+  static void read_from(const type& m, content& c) {
+    read(m.header_, c);
+    const auto& p = m.pose_.position_;
+    c.numbers = {{p.x_, p.y_, p.z_}, list_4(m.pose_.orientation_)};
+  }
+  static void write(dds_entity_t writer, content c) {
+    type m{};
+    m.header_ = {{c.sec, 0}, c.frame.data()};
+    m.pose_.position_ = {c.numbers[0][0], c.numbers[0][1], c.numbers[0][2]};
+    m.pose_.orientation_ = quaternion(c.numbers[1]);
+    dds_write(writer, &m);
+  }
+};
+
+struct twist {
+  using type = geometry_msgs_msg_dds__Twist_;
+  static const dds_topic_descriptor_t& about() { return geometry_msgs_msg_dds__Twist__desc; }
+  static void read_from(const type& m, content& c) { c.numbers = {list_3(m.linear_), list_3(m.angular_)}; }
+  static void write(dds_entity_t writer, content c) {
+    const type m{vector_3(c.numbers[0]), vector_3(c.numbers[1])};
+    dds_write(writer, &m);
+  }
+};
+
+geometry_msgs_msg_dds__TransformStamped_ transform(content& c, std::size_t i) {
+  return {{{c.sec, 0}, c.frame.data()},
+          c.words[i].data(),
+          {vector_3(c.numbers[2 * i]), quaternion(c.numbers[2 * i + 1])}};
+}
+void read(const geometry_msgs_msg_dds__TransformStamped_& m, content& c) {
+  read(m.header_, c);
+  c.words.emplace_back(m.child_frame_id_);
+  c.numbers.push_back(list_3(m.transform_.translation_));
+  c.numbers.push_back(list_4(m.transform_.rotation_));
+}
+struct transform_stamped {
+  using type = geometry_msgs_msg_dds__TransformStamped_;
+  static const dds_topic_descriptor_t& about() { return geometry_msgs_msg_dds__TransformStamped__desc; }
+  static void read_from(const type& m, content& c) { read(m, c); }
+  static void write(dds_entity_t writer, content c) {
+    const type m = transform(c, 0);
+    dds_write(writer, &m);
+  }
+};
+struct tf_message {
+  using type = tf2_msgs_msg_dds__TFMessage_;
+  static const dds_topic_descriptor_t& about() { return tf2_msgs_msg_dds__TFMessage__desc; }
+  static void read_from(const type& m, content& c) {
+    for (std::uint32_t i = 0; i < m.transforms_._length; ++i) read(m.transforms_._buffer[i], c);
+  }
+  static void write(dds_entity_t writer, content c) {
+    std::vector<geometry_msgs_msg_dds__TransformStamped_> all;
+    for (std::size_t i = 0; i < c.words.size(); ++i) all.push_back(transform(c, i));
+    type m{};
+    m.transforms_._maximum = m.transforms_._length = static_cast<std::uint32_t>(all.size());
+    m.transforms_._buffer = all.data();
+    dds_write(writer, &m);
+  }
+};
+
+struct joint_trajectory {
+  using type = trajectory_msgs_msg_dds__JointTrajectory_;
+  static const dds_topic_descriptor_t& about() { return trajectory_msgs_msg_dds__JointTrajectory__desc; }
+  static void read_from(const type& m, content& c) {
+    read(m.header_, c);
+    for (std::uint32_t i = 0; i < m.joint_names_._length; ++i)
+      c.words.emplace_back(m.joint_names_._buffer[i]);
+    for (std::uint32_t i = 0; i < m.points_._length; ++i) {
+      const auto& p = m.points_._buffer[i];
+      for (const auto& each : {list(p.positions_),
+                               list(p.velocities_),
+                               list(p.accelerations_),
+                               list(p.effort_),
+                               {p.time_from_start_.sec_ + 1e-9 * p.time_from_start_.nanosec_}})
+        c.numbers.push_back(each);
+    }
+  }
+  static void write(dds_entity_t writer, content c) {
+    type m{};
+    m.header_ = {{c.sec, 0}, c.frame.data()};
+    std::vector<char*> names;
+    for (auto& word : c.words) names.push_back(word.data());
+    m.joint_names_._maximum = m.joint_names_._length = static_cast<std::uint32_t>(names.size());
+    m.joint_names_._buffer = names.data();
+    std::vector<trajectory_msgs_msg_dds__JointTrajectoryPoint_> points(c.numbers.size() / 5);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      fill(points[i].positions_, c.numbers[5 * i]);
+      fill(points[i].velocities_, c.numbers[5 * i + 1]);
+      fill(points[i].accelerations_, c.numbers[5 * i + 2]);
+      fill(points[i].effort_, c.numbers[5 * i + 3]);
+      const double time = c.numbers[5 * i + 4][0];
+      points[i].time_from_start_.sec_ = static_cast<std::int32_t>(time);
+      points[i].time_from_start_.nanosec_ =
+          static_cast<std::uint32_t>(1e9 * (time - points[i].time_from_start_.sec_));
+    }
+    m.points_._maximum = m.points_._length = static_cast<std::uint32_t>(points.size());
+    m.points_._buffer = points.data();
+    dds_write(writer, &m);
+  }
+};
+
+struct image {
+  using type = sensor_msgs_msg_dds__Image_;
+  static const dds_topic_descriptor_t& about() { return sensor_msgs_msg_dds__Image__desc; }
+  static void read_from(const type& m, content& c) {
+    read(m.header_, c);
+    c.words.emplace_back(m.encoding_);
+    c.numbers = {{double(m.height_), double(m.width_), double(m.is_bigendian_), double(m.step_)},
+                 list(m.data_)};
+  }
+  static void write(dds_entity_t writer, content c) {
+    type m{};
+    m.header_ = {{c.sec, 0}, c.frame.data()};
+    const auto& about = c.numbers[0];
+    m.height_ = static_cast<std::uint32_t>(about[0]);
+    m.width_ = static_cast<std::uint32_t>(about[1]);
+    m.encoding_ = c.words[0].data();
+    m.is_bigendian_ = static_cast<std::uint8_t>(about[2]);
+    m.step_ = static_cast<std::uint32_t>(about[3]);
+    std::vector<std::uint8_t> bytes;
+    for (const double byte : c.numbers[1]) bytes.push_back(static_cast<std::uint8_t>(byte));
+    m.data_._maximum = m.data_._length = static_cast<std::uint32_t>(bytes.size());
+    m.data_._buffer = bytes.data();
+    dds_write(writer, &m);
+  }
+};
+
 template <class F>
 void with_type(const std::string& name, F f) {
   if (name == "JointState") f(joint_state{});
@@ -131,6 +266,12 @@ void with_type(const std::string& name, F f) {
   if (name == "WrenchStamped") f(wrench_stamped{});
   if (name == "TwistStamped") f(twist_stamped{});
   if (name == "Float64MultiArray") f(float64_multi_array{});
+  if (name == "PoseStamped") f(pose_stamped{});
+  if (name == "Twist") f(twist{});
+  if (name == "TransformStamped") f(transform_stamped{});
+  if (name == "TFMessage") f(tf_message{});
+  if (name == "JointTrajectory") f(joint_trajectory{});
+  if (name == "Image") f(image{});
 }
 
 class idlc_peer {

@@ -47,6 +47,24 @@ inline content told(const std::string& type) {
     return {"trunk", 7, {}, {{0, 0, 0.6, 0.8}, unknown, {1, 2, 3}, unknown, {4, 5, 9.81}, unknown}};
   if (type == "WrenchStamped") return {"trunk", 7, {}, {{1, 2, 3}, {4, 5, 6}}};
   if (type == "TwistStamped") return {"world", 7, {}, {{1, 2, 3}, {4, 5, 6}}};
+  if (type == "PoseStamped") return {"world", 7, {}, {{1, 2, 3}, {0, 0, 0.6, 0.8}}};
+  if (type == "Twist") return {"", 0, {}, {{1, 2, 3}, {4, 5, 6}}};
+  if (type == "TransformStamped") return {"world", 7, {"trunk"}, {{1, 2, 3}, {0, 0, 0.6, 0.8}}};
+  if (type == "TFMessage")  // two of them
+    return {"world", 7, {"odom", "trunk"}, {{9, 9, 9}, {0, 0, 0, 1}, {1, 2, 3}, {0, 0, 0.6, 0.8}}};
+  if (type == "JointTrajectory")  // for each point: positions, velocities, accelerations, effort, time
+    return {"",
+            0,
+            {"knee", "tail", "hip"},
+            {{-0.5, 9, 0.25}, {2, 9, 1}, {}, {}, {0.5}, {-1, 9, 0.5}, {4, 9, 3}, {9, 9, 9}, {}, {1.25}}};
+  if (type == "Image") {  // height, width, is_bigendian, step; two bytes behind each row are no pixels
+    std::vector<double> data;
+    for (int row = 0; row < 2; ++row) {
+      for (int i = 0; i < 12; ++i) data.push_back(10 * (12 * row + i) + 10);
+      data.insert(data.end(), {255, 255});
+    }
+    return {"camera", 7, {"rgb8"}, {{2, 4, 0, 14}, data}};
+  }
   return {"", 0, {}, {{0}, {7, 8}}};  // an array whose layout is empty; its offset is the first number
 }
 

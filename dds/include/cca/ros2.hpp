@@ -12,8 +12,12 @@
 #pragma once
 
 #include <cca/ros2/messages/float64_multi_array.hpp>
+#include <cca/ros2/messages/image.hpp>
 #include <cca/ros2/messages/imu.hpp>
 #include <cca/ros2/messages/joint_state.hpp>
+#include <cca/ros2/messages/joint_trajectory.hpp>
+#include <cca/ros2/messages/pose.hpp>
 #include <cca/ros2/messages/stamped.hpp>
+#include <cca/ros2/messages/twist.hpp>
 #include <cca/ros2/publisher.hpp>
 #include <cca/ros2/subscriber.hpp>

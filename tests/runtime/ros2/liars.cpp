@@ -1,6 +1,7 @@
 // Messages under the right names that can't be used: each is refused and counted, and changes nothing.
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -185,6 +186,133 @@ TEST_SUITE("ros 2 liars") {
     a.layout = {};
     a.data.length = 1;
     CHECK_EQ(std::string(array::read(a, to)), "another number of coordinates");
+  }
+
+  TEST_CASE(
+      "a pose and a transform that do not fit are refused, and what is meant for others is left alone") {
+    double to[7];
+    char world_name[] = "world", other_name[] = "map", child[] = "trunk", other_child[] = "odom";
+    pose_message p;
+    p.head.frame_id = world_name;
+    CHECK_EQ(places::read(p, to), nullptr);
+    p.pose.orientation = {0, 0, 0, 2};
+    CHECK_EQ(std::string(places::read(p, to)), "an orientation that is no unit quaternion");
+    p.pose.orientation = {0, 0, 0, 1.0001};
+    CHECK_EQ(places::read(p, to), nullptr);
+    CHECK_EQ(to[6], 1);
+    p.head.frame_id = other_name;
+    CHECK_EQ(std::string(places::read(p, to)), "another frame_id");
+
+    transform_message t{{{}, world_name}, child, {}};
+    CHECK_EQ(transforms::read(t, to), nullptr);
+    t.child_frame_id = other_child;
+    CHECK_EQ(std::string(transforms::read(t, to)), "another child_frame_id");
+    tf_message all{borrowed(&t, 1)};
+    CHECK_EQ(tree::read(all, to), is_for_others);
+    CHECK_EQ(tree::read(tf_message{}, to), is_for_others);
+    t = {{{}, other_name}, child, {}};
+    CHECK_EQ(std::string(tree::read(all, to)), "another frame_id");
+    t.head.frame_id = world_name;
+    t.transform.orientation = {};
+    t.transform.orientation.w = 0;
+    CHECK_EQ(std::string(tree::read(all, to)), "an orientation that is no unit quaternion");
+  }
+
+  TEST_CASE("a trajectory that does not fit is refused, with the reason") {
+    char hip_name[] = "hip", knee_name[] = "knee", tail_name[] = "tail";
+    char* names[] = {knee_name, hip_name};
+    std::vector<double> at{-0.5, 0.25}, moving{2, 1};
+    std::vector<trajectory_point> points(2);
+    const auto seconds = [](double t) { return duration_of(t); };
+    numbers_of<ways> to;
+    const auto refusal = [&](auto change) {
+      for (auto& point : points) point = {borrowed(at.data(), 2), borrowed(moving.data(), 2), {}, {}, {}};
+      points[0].time_from_start = seconds(0.5);
+      points[1].time_from_start = seconds(1);
+      trajectory_message m;
+      m.joint_names = borrowed(names, 2);
+      m.points = borrowed(points.data(), 2);
+      change(m);
+      const char* const why = ways::read(m, to.data());
+      return std::string(why ? why : "");
+    };
+    CHECK_EQ(refusal([](auto&) {}), "");
+    numbers_of<ways> wanted;
+    wanted << 0.5, 1, 1, 0.25, -0.5, 0.25, -0.5, 0.25, -0.5, 1, 2, 1, 2, 1, 2;
+    CHECK_EQ(to, wanted);
+    CHECK_EQ(refusal([](auto& m) { m.points.length = 0; }), "no points");
+    points.resize(4);
+    CHECK_EQ(refusal([](auto& m) { m.points.length = 4; }), "more points than there is room for");
+    CHECK_EQ(refusal([&](auto&) { points[1].time_from_start = seconds(0.5); }), "times that do not rise");
+    CHECK_EQ(refusal([&](auto&) { points[0].time_from_start.sec = -1; }), "times that do not rise");
+    CHECK_EQ(refusal([&](auto&) { points[1].velocities.length = 0; }), "a field is missing");
+    CHECK_EQ(refusal([&](auto&) { points[1].effort = borrowed(at.data(), 1); }),
+             "a field of another length than the names");
+    names[0] = tail_name;
+    CHECK_EQ(refusal([](auto&) {}), "a joint is missing");
+    names[0] = hip_name;
+    CHECK_EQ(refusal([](auto&) {}), "a joint is named twice");
+  }
+
+  TEST_CASE("a trajectory is sent up to the last time that rises") {
+    ways::maker maker;
+    numbers_of<ways> all = numbers_of<ways>::Zero();
+    const auto count_of = [&](double a, double b, double c) {
+      all[0] = a, all[1] = b, all[2] = c;
+      return maker.make(all.data(), 0)->points.length;
+    };
+    CHECK_EQ(count_of(0, 0, 0), 1);
+    CHECK_EQ(count_of(0, 1, 1), 2);
+    CHECK_EQ(count_of(0, 1, 2), 3);
+    CHECK_EQ(count_of(no_number, 1, 2), 1);
+    CHECK_EQ(count_of(-1, 1, 2), 3);
+    CHECK_EQ(maker.make(all.data(), 0)->points.buffer[0].time_from_start.sec, 0);
+    CHECK_EQ(count_of(1e300, 1, 2), 1);
+  }
+
+  TEST_CASE("a picture that does not fit is refused, with the reason, and odd bytes are understood") {
+    std::vector<std::uint8_t> bytes(64, 7);
+    char rgb[] = "rgb8", mono[] = "mono8", nowhere[] = "";
+    numbers_of<pictures> to;
+    const auto refusal = [&](auto change) {
+      image_message m{{{}, nowhere}, 2, 4, rgb, 0, 12, borrowed(bytes.data(), 24)};
+      change(m);
+      const char* const why = pictures::read(m, to.data());
+      return std::string(why ? why : "");
+    };
+    CHECK_EQ(refusal([](auto&) {}), "");
+    CHECK_EQ(to, numbers_of<pictures>::Constant(7));
+    CHECK_EQ(refusal([](auto& m) { m.width = 3; }), "a picture of another size");
+    CHECK_EQ(refusal([](auto& m) { m.height = 3; }), "a picture of another size");
+    CHECK_EQ(refusal([&](auto& m) { m.encoding = mono; }), "another encoding");
+    CHECK_EQ(refusal([](auto& m) { m.step = 11; }), "lengths that do not fit the picture");
+    CHECK_EQ(refusal([](auto& m) { m.data.length = 23; }), "lengths that do not fit the picture");
+    CHECK_EQ(refusal([](auto& m) { m.step = 0x80000000u; }), "lengths that do not fit the picture");
+
+    pictures::maker maker;
+    to = numbers_of<pictures>::Constant(300);
+    to[1] = -5, to[2] = 1.5, to[3] = no_number;
+    const auto* const sent = maker.make(to.data(), 0);
+    CHECK_EQ(sent->data.buffer[0], 255);
+    CHECK_EQ(sent->data.buffer[1], 0);
+    CHECK_EQ(sent->data.buffer[2], 2);
+    CHECK_EQ(sent->data.buffer[3], 0);
+
+    // 1.5 m with its bytes in either order, and nothing measured.
+    char float_name[] = "32FC1";
+    std::vector<std::uint8_t> far(32, 0);
+    for (const bool is_big : {false, true}) {
+      const std::uint8_t low[] = {0, 0, 0xc0, 0x3f}, no[] = {0, 0, 0xc0, 0x7f};
+      for (std::size_t i = 0; i < 4; ++i) {
+        far[i] = low[is_big ? 3 - i : i];
+        far[4 + i] = no[is_big ? 3 - i : i];
+      }
+      const image_message m{{{}, nowhere}, 2, 4, float_name, is_big, 16, borrowed(far.data(), 32)};
+      numbers_of<depth_pictures> measured;
+      REQUIRE_EQ(depth_pictures::read(m, measured.data()), nullptr);
+      CHECK_EQ(measured[0], 1.5);
+      CHECK_EQ(measured[1], 0);
+    }
   }
 
   TEST_CASE("what comes over the network and can't be used changes nothing") {

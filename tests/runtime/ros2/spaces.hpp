@@ -11,6 +11,8 @@
 
 #include <cca/cca.hpp>
 #include <cca/ros2.hpp>
+#include <cca/space/array.hpp>
+#include <cca/space/record.hpp>
 
 namespace ros2_test {
 
@@ -53,11 +55,28 @@ struct load : cca::space<cca::wrench<trunk, trunk>, xyz> {};
 struct motion : cca::space<cca::twist<trunk, world>, xyz> {};
 struct numbers : cca::space<cca::number, leg> {};
 
+struct place : cca::space<cca::pose<world>, xyz> {};
+constexpr int points = 3;
+struct way : cca::array_of<leg_angles, points> {};
+struct way_velocities : cca::array_of<leg_velocities, points> {};
+struct lens : cca::dimension<"lens"> {};
+struct colours : cca::record<4 * 2 * 3> {};
+struct depths : cca::record<4 * 2> {};
+struct picture : cca::space<colours, cca::axes<lens>> {};
+struct depth : cca::space<depths, cca::axes<lens>> {};
+
 using joints = cca::ros2::joint_state<leg_angles, leg_velocities, leg_torques>;
 using inertial = cca::ros2::imu<attitude, turning, accelerated>;
 using loads = cca::ros2::wrench_stamped<load>;
 using motions = cca::ros2::twist_stamped<motion>;
 using array = cca::ros2::float64_multi_array<numbers>;
+using places = cca::ros2::pose_stamped<place>;
+using commands = cca::ros2::twist<motion>;
+using transforms = cca::ros2::transform_stamped<place, "trunk">;
+using tree = cca::ros2::tf<place, "trunk">;
+using ways = cca::ros2::joint_trajectory<way, way_velocities>;
+using pictures = cca::ros2::image<picture, 4, 2, "rgb8">;
+using depth_pictures = cca::ros2::image<depth, 4, 2, "32FC1">;
 
 // A domain that no other test of this machine is likely to use now. Its ports are below those that the kernel
 // gives to others.

@@ -97,6 +97,12 @@ TEST_SUITE("ros 2 types") {
     CHECK_EQ(hash_of(loads::type), loads::type.hash);
     CHECK_EQ(hash_of(motions::type), motions::type.hash);
     CHECK_EQ(hash_of(array::type), array::type.hash);
+    CHECK_EQ(hash_of(places::type), places::type.hash);
+    CHECK_EQ(hash_of(commands::type), commands::type.hash);
+    CHECK_EQ(hash_of(transforms::type), transforms::type.hash);
+    CHECK_EQ(hash_of(tree::type), tree::type.hash);
+    CHECK_EQ(hash_of(ways::type), ways::type.hash);
+    CHECK_EQ(hash_of(pictures::type), pictures::type.hash);
   }
   TEST_CASE("a type has the name that ROS 2 gives it in DDS") {
     CHECK_EQ(cca::ros2::detail::type_name_in_dds("sensor_msgs/msg/JointState"),

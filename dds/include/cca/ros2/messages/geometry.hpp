@@ -1,9 +1,10 @@
-// geometry_msgs/Vector3, Quaternion, Wrench and Twist, as structs and as data.
+// geometry_msgs/Vector3, Point, Quaternion, Pose, Transform, Wrench and Twist, as structs and as data.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include <cca/dds/nodes/space_guard.hpp>
 #include <cca/ros2/address.hpp>
 
 namespace cca::ros2::detail {
@@ -22,8 +23,18 @@ inline constexpr std::array vector_3_fields{
 inline constexpr message_type vector_3_type{"geometry_msgs/msg/Vector3", vector_3_fields, sizeof(vector_3),
                                             alignof(vector_3)};
 
+inline constexpr message_type point_type{"geometry_msgs/msg/Point", vector_3_fields, sizeof(vector_3),
+                                         alignof(vector_3)};
+
 struct quaternion {
   double x = 0, y = 0, z = 0, w = 1;
+
+  void set(const double* from) { x = from[0], y = from[1], z = from[2], w = from[3]; }
+  // Null, or why it is refused.
+  const char* get(double* to) const {
+    to[0] = x, to[1] = y, to[2] = z, to[3] = w;
+    return refuse_quaternion(to);
+  }
 };
 inline constexpr std::array quaternion_fields{
     message_field{"x", kind::float64, offsetof(quaternion, x)},
@@ -33,6 +44,30 @@ inline constexpr std::array quaternion_fields{
 };
 inline constexpr message_type quaternion_type{"geometry_msgs/msg/Quaternion", quaternion_fields,
                                               sizeof(quaternion), alignof(quaternion)};
+
+// Of a Pose and of a Transform: where something is, as cca::pose has it.
+struct pose_parts {
+  vector_3 position;
+  quaternion orientation;
+
+  void set(const double* from) { position.set(from), orientation.set(from + 3); }
+  const char* get(double* to) const {
+    position.get(to);
+    return orientation.get(to + 3);
+  }
+};
+inline constexpr std::array pose_fields{
+    message_field{"position", kind::message, offsetof(pose_parts, position), 1, &point_type},
+    message_field{"orientation", kind::message, offsetof(pose_parts, orientation), 1, &quaternion_type},
+};
+inline constexpr message_type pose_type{"geometry_msgs/msg/Pose", pose_fields, sizeof(pose_parts),
+                                        alignof(pose_parts)};
+inline constexpr std::array transform_fields{
+    message_field{"translation", kind::message, offsetof(pose_parts, position), 1, &vector_3_type},
+    message_field{"rotation", kind::message, offsetof(pose_parts, orientation), 1, &quaternion_type},
+};
+inline constexpr message_type transform_type{"geometry_msgs/msg/Transform", transform_fields,
+                                             sizeof(pose_parts), alignof(pose_parts)};
 
 struct wrench_parts {
   vector_3 force, torque;

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -56,16 +55,8 @@ struct imu_orientation {
   static constexpr fixed_string name{"orientation"};
   static constexpr auto covariance = &imu_message::orientation_covariance;
 
-  static void set(imu_message& m, const double* from) {
-    m.orientation = {from[0], from[1], from[2], from[3]};
-  }
-  static const char* get(const imu_message& m, double* to) {
-    const quaternion& q = m.orientation;
-    const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-    if (!(std::abs(length - 1) < 0.001)) return "an orientation that is no unit quaternion";
-    to[0] = q.x / length, to[1] = q.y / length, to[2] = q.z / length, to[3] = q.w / length;
-    return nullptr;
-  }
+  static void set(imu_message& m, const double* from) { m.orientation.set(from); }
+  static const char* get(const imu_message& m, double* to) { return m.orientation.get(to); }
 };
 template <fixed_string Name, vector_3 imu_message::* Values, std::array<double, 9> imu_message::* Covariance>
 struct imu_vector {

@@ -15,11 +15,11 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <type_traits>
 
 #include <cca/base/array_size.hpp>
 #include <cca/ros2/messages/header.hpp>
+#include <cca/ros2/messages/joint_names.hpp>
 #include <cca/ros2/messages/ports.hpp>
 #include <cca/space/joint.hpp>
 
@@ -92,12 +92,8 @@ struct joint_state {
   class maker {
   public:
     maker() {
-      for (int i = 0; i < joints; ++i) {
-        names[at(i)] = label(i);
-        letters[at(i)] = names[at(i)].data();
-      }
       made.head.frame_id = frame.data();
-      made.name = detail::borrowed(letters.data(), letters.size());
+      made.name = names.all();
     }
     maker(const maker&) = delete;
     maker& operator=(const maker&) = delete;
@@ -114,8 +110,7 @@ struct joint_state {
     }
 
   private:
-    std::array<std::string, cca::detail::array_size(First::size)> names;
-    std::array<char*, cca::detail::array_size(First::size)> letters{};
+    detail::joint_names<First> names;
     std::array<double, cca::detail::array_size(size)> values{};
     std::string frame;  // joints have none
     message made;
@@ -127,17 +122,10 @@ struct joint_state {
       if (all.length != 0 && all.length != m.name.length) return "a field of another length than the names";
     for (const auto field : fields)
       if ((m.*field).length == 0) return "a field is missing";
-    for (int i = 0; i < joints; ++i) {
-      std::size_t place = m.name.length;
-      for (std::size_t k = 0; k < m.name.length; ++k) {
-        if (m.name.buffer[k] != label(i)) continue;
-        if (place != m.name.length) return "a joint is named twice";
-        place = k;
-      }
-      if (place == m.name.length) return "a joint is missing";
-      for (std::size_t f = 0; f < fields.size(); ++f)
-        to[f * at(joints) + at(i)] = (m.*fields[f]).buffer[place];
-    }
+    std::array<std::size_t, cca::detail::array_size(joints)> places{};
+    if (const char* const why = detail::joint_names<First>::find(m.name, places)) return why;
+    for (std::size_t f = 0; f < fields.size(); ++f)
+      for (std::size_t i = 0; i < at(joints); ++i) to[f * at(joints) + i] = (m.*fields[f]).buffer[places[i]];
     return nullptr;
   }
 
@@ -146,7 +134,6 @@ private:
   static constexpr std::array fields{detail::joint_field<typename First::domain>::values,
                                      detail::joint_field<typename Rest::domain>::values...};
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  static std::string_view label(int i) { return cca::detail::space_of<First>.labels[i]; }
 };
 
 }  // namespace cca::ros2
