@@ -16,19 +16,12 @@
 #include <cca/runtime/interruption.hpp>
 
 #include "architecture.hpp"
-#include "observing.hpp"
 #include "process.hpp"
+#include "settings.hpp"
 #include "transports.hpp"
 #include "wake_up.hpp"
 
 namespace deployed {
-
-struct settings {
-  skills::circumstances run{.where = skills::target::inside};
-  std::string shape = "trot.shape";
-  std::int64_t most_beats = 60'000;
-  observing files{};
-};
 
 struct outcome {
   std::string form, pace;
@@ -44,23 +37,6 @@ struct outcome {
 };
 
 inline constexpr std::string_view fast = "as_fast_as_possible", wall_clock = "wall_clock";
-
-inline bool is_named(const std::vector<std::string>& names, std::string_view one) {
-  return std::find(names.begin(), names.end(), one) != names.end();
-}
-
-// Loads and starts what runs in this process: a controller has all environments.
-template <class Played>
-void set_up(Played& played, const settings& s, const std::vector<std::string>& here) {
-  if (is_named(here, "reflexes") && !played.template get<"dmp.module">().p.files.load.assign(s.shape))
-    throw cca::command_line_error(s.shape + ": this name is too long");
-  if (is_named(here, "simulation")) {
-    played.template get<"robot.simulator">().set_scene(s.run);
-    played.template get<"recorder">().seen.reserve(s.most_beats);
-  }
-  played.load();
-  played.start();
-}
 
 // What the process with the simulation knows when the run is over.
 template <class Played>

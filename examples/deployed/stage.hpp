@@ -9,8 +9,10 @@
 //
 // The world stands still until the first targets have come: the robot may start later than its world.
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 
+#include <cca/base/monotonic_clock.hpp>
 #include <cca/adaptive/sequencer.hpp>
 #include <cca/sim/simulator.hpp>
 
@@ -60,6 +62,10 @@ private:
   skills::referee referee;
 };
 
-struct stage : stage_of<oncilla::leg_axes> {};
+struct stage : stage_of<oncilla::leg_axes> {
+  // From here on it gets no command, by this machine's clock (ns).
+  void on_fault() { stopped_at = cca::detail::monotonic_clock::now(); }
+  std::int64_t stopped_at = 0;
+};
 
 }  // namespace deployed

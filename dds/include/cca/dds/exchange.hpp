@@ -28,10 +28,11 @@ class replicated_exchange<D, std::integer_sequence<int, Output...>> : public cca
 public:
   replicated_exchange(std::uint32_t domain,
                       const std::string& partition,
+                      const network& by,
                       const cca::detail::environments_here<D>& here,
                       std::shared_ptr<refusals> counted)
       : refused(std::move(counted)) {
-    transport.emplace(domain, partition, facts_of(here), static_cast<own_exchange&>(*this), own_rings,
+    transport.emplace(domain, partition, by, facts_of(here), static_cast<own_exchange&>(*this), own_rings,
                       *refused,
                       [](int e) { return cca::detail::name_of_environment<D>(cca::detail::array_size(e)); });
   }

@@ -24,6 +24,7 @@ class replica {
 public:
   replica(std::uint32_t domain,
           const std::string& partition,
+          const network& by,
           deployment_facts of,
           own_exchange& exchanged,
           cca::detail::peers::bells& to_ring,
@@ -34,7 +35,7 @@ public:
         rings(to_ring),
         refused(counted),
         name(name_of),
-        in(domain, partition),
+        in(domain, partition, by),
         peers(std::make_unique<contact[]>(facts.environments.size())),
         known(in, facts.here, facts.manifest),
         to_here(in, facts, numbers, peers, known, refused) {
