@@ -8,6 +8,7 @@
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/assembly/adaptive_options.hpp>
 #include <cca/adaptive/module/adaptive_module.hpp>
+#include <cca/adaptive/batch_thread.hpp>
 #include <cca/adaptive/component_status.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/criterion.hpp>
@@ -27,5 +28,6 @@
 #include <cca/adaptive/sampling.hpp>
 #include <cca/adaptive/sequence.hpp>
 #include <cca/adaptive/sequencer.hpp>
+#include <cca/adaptive/timed_requests.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/adaptive/training.hpp>

@@ -33,12 +33,14 @@ struct module_firing {
   double ode;
   cca::learning learning;
   cca::trained_region region;
+  cca::learning_answer answer;
 };
 
 template <class Status>
 module_firing firing_of(double command, double ode, const Status& module) {
   return {command, ode, static_cast<cca::learning>(module.vector()[0]),
-          static_cast<cca::trained_region>(module.vector()[1])};
+          static_cast<cca::trained_region>(module.vector()[1]),
+          static_cast<cca::learning_answer>(module.vector()[2])};
 }
 
 // A request as the loop gives it.

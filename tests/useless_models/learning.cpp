@@ -9,6 +9,7 @@
 #include "../laws/criterion_laws.hpp"
 #include "../laws/learner_laws.hpp"
 #include "../laws/module_laws.hpp"
+#include "../laws/request_laws.hpp"
 #include "../runtime/ode/models.hpp"
 #include "trials.hpp"
 
@@ -177,6 +178,20 @@ struct puppet_case {
   static void change(auto& p) { p.settings.none = 1; }
 };
 
+// ---- requests ----
+
+// One does nothing and answers nothing, one refuses everything, one says yes to everything and does nothing.
+template <kind What>
+struct deaf_case : laws::lone_learner<lesson<What>> {
+  using student = typename laws::lone_learner<lesson<What>>::student;
+  static laws::told_of_request fire(student& s, double call, bool) {
+    if (call != 0)
+      s.answer = What == kind::refusing ? cca::learning_answer::impossible : cca::learning_answer::accepted;
+    return {s.learning.state(), cca::trained_region::outside,
+            What == kind::nothing ? cca::learning_answer::none : s.answer};
+  }
+};
+
 // ---- adaptive components ----
 
 struct wished {
@@ -254,6 +269,11 @@ TEST_CASE("module") {
   try_model("adaptive module", does_nothing, 3, laws::adaptive_module<puppet_case<kind::nothing>>);
   try_model("adaptive module", refuses, 4, laws::adaptive_module<puppet_case<kind::refusing>>);
   try_model("adaptive module", repeats, 3, laws::adaptive_module<puppet_case<kind::repeating>>);
+}
+TEST_CASE("requests") {
+  try_model("requests", does_nothing, 5, laws::requests<deaf_case<kind::nothing>>);
+  try_model("requests", refuses, 5, laws::requests<deaf_case<kind::refusing>>);
+  try_model("requests", repeats, 5, laws::requests<deaf_case<kind::repeating>>);
 }
 TEST_CASE("adaptive component") {
   try_model("adaptive component", does_nothing, 1, laws::adaptive_component<skill_case<kind::nothing>>);

@@ -7,6 +7,8 @@
 //   LinearModel       linear in `parameters::weights`: the answer is weights * regressors(input)
 //   LocalModel        linear, with one column of weights per local function: `activations(input)`,
 //                     `scale(input)`; the answer is weights * (scale * activations)
+//   SequenceModel     `is_sequence` is true: what belongs to an input also depends on those before it. Its
+//                     examples keep their order, and say where a demonstration `begins`
 //   Learner           `model`, `settings` (of the user), `learned` (what a file keeps; its field `function`
 //                     holds the parameters of the model), `inside(learned, x, settings)`: is x in the trained
 //                     region
@@ -68,11 +70,20 @@ template <class Model> concept LocalModel = LinearModel<Model> && requires(const
   { Model::scale(x) } -> std::convertible_to<double>;
 };
 
+template <class Model> concept SequenceModel =
+    AdaptableModel<Model> && requires { requires Model::is_sequence; };
+
 // An input and the output that belongs to it.
 template <AdaptableModel Model>
 struct example {
   typename Model::input x;
   typename Model::output y;
+};
+template <SequenceModel Model>
+struct example<Model> {
+  typename Model::input x;
+  typename Model::output y;
+  bool begins = false;  // the first of a demonstration
 };
 
 template <class Type> concept Learner = AdaptableModel<typename Type::model> &&

@@ -4,6 +4,7 @@
 //   cca::training<learner, 2000> learning;               in the module
 //   learning.teach(x, y, p.settings);                    in process: collects, learns or ignores
 //   learning.answer(x), learning.status(x, p.settings)
+//   if (call) learning.hear(call, p.settings);           a request at the port "learn"
 //
 //   auto& m = c.get<"dmp.module">();                     between two beats
 //   m.learning.collect();                                ... beats ...
@@ -15,17 +16,27 @@
 //
 // It keeps the newest Capacity examples. States and legal changes stand in a table (learning_transitions);
 // other changes are refused. A beat allocates nothing. It is a value: a copy continues independently. Memory:
-// Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp).
-// Example: tests/runtime/adaptive/kinds.cpp.
+// Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp);
+// learner.request for a request that the compiler knows.
+//
+// Requests (module_status.hpp) are events: a component publishes one when it wants something. Each is
+// answered in the status. A `batch` that is requested is computed by a thread beside the loop
+// (batch_thread.hpp); the loop goes on with the old value, and takes the whole new one in the first firing
+// after it is done. Its value does not depend on the thread, but that firing does. `load()` starts the thread
+// where the port is wired. Example: tests/runtime/adaptive/kinds.cpp, tests/runtime/adaptive/requests.cpp.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <cca/component/input_status.hpp>
+#include <cca/adaptive/batch_thread.hpp>
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/module_status.hpp>
@@ -75,10 +86,28 @@ constexpr bool is_legal(learning_change what, learning from) {
   return false;
 }
 
+// The call that a number is; beyond the last one: none.
+inline constexpr auto no_learning_call = static_cast<learning_call>(255);
+inline learning_call learning_call_of(double number) {
+  constexpr double last = status_of(learning_call::batch);
+  return number >= 0 && number <= last && std::trunc(number) == number
+             ? static_cast<learning_call>(static_cast<std::uint8_t>(number))
+             : no_learning_call;
+}
+
+template <Learner Rule>
+struct batches_of {
+  struct type {};
+};
+template <BatchLearner Rule>
+struct batches_of<Rule> {
+  using type = batch_thread<Rule>;
+};
+
 }  // namespace detail
 
 // A batch that has begun, with its own copy of the examples.
-template <BatchLearner Rule>
+template <Learner Rule>
 struct learning_batch {
   std::vector<example<typename Rule::model>> examples;
   typename Rule::settings settings;
@@ -88,6 +117,7 @@ struct learning_batch {
 template <Learner Rule, int Capacity = 2000>
 class training {
 public:
+  using rule = Rule;
   using model = typename Rule::model;
   using input = typename model::input;
   using output = typename model::output;
@@ -106,7 +136,11 @@ public:
     return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;
   }
   [[gnu::always_inline]] auto status(const input& x, const settings& s) const {
-    return status_of(now, region(x, s));
+    return status_of(now, region(x, s), answer_to_last);
+  }
+  // `is_asked`: the port "learn" is wired. Else nobody requests anything, and this costs nothing.
+  [[gnu::always_inline]] auto status(const input& x, const settings& s, bool is_asked) const {
+    return status_of(now, region(x, s), is_asked ? answer_to_last : learning_answer::none);
   }
 
   // Ignores examples that are not finite or beyond `largest_input`: their squares would not be.
@@ -114,20 +148,62 @@ public:
     if (now != learning::collecting && now != learning::online) return;
     if (!(x.array().abs() <= largest_input).all() || !(y.array().abs() <= largest_input).all()) return;
     if (now == learning::collecting) {
-      kept[written++ % kept.size()] = {x, y};
+      kept[written % kept.size()] = {x, y};
+      if constexpr (SequenceModel<model>) kept[written % kept.size()].begins = std::exchange(is_anew, false);
+      ++written;
     } else if constexpr (OnlineLearner<Rule>) {
       Rule::step(known, x, y, s);
       has_learned = true;
     }
   }
+  // The next example is the first of another demonstration: for models of sequences.
+  [[gnu::always_inline]] void begin_demonstration() {
+    if constexpr (SequenceModel<model>) is_anew = true;
+  }
 
-  // A request of another component. A request that is illegal in this state is ignored.
-  void obey(learning_call call) {
-    using detail::learning_change;
-    if (call == learning_call::collect) (void)changed(learning_change::collect);
-    else if (call == learning_call::learn) (void)changed(learning_change::learn);
-    else if (call == learning_call::rest) (void)changed(learning_change::rest);
-    else if (call == learning_call::forget && changed(learning_change::forget)) clear();
+  // What this learner can do on request, in a suitable state.
+  static constexpr bool can(learning_call call) {
+    switch (call) {
+      case learning_call::collect:
+      case learning_call::batch:
+        return BatchLearner<Rule>;
+      case learning_call::learn:
+        return OnlineLearner<Rule>;
+      default:
+        return true;
+    }
+  }
+  // Why a constant request is refused by the compiler (learner.request); empty: it is not.
+  static constexpr std::string_view refusal(double call) {
+    constexpr auto number = [](learning_call one) { return static_cast<double>(one); };
+    if (call == number(learning_call::learn) && !can(learning_call::learn))
+      return "`learn` needs a learner that learns online, and this one learns in batches only: request "
+             "`collect`, and then `batch`";
+    if ((call == number(learning_call::collect) || call == number(learning_call::batch)) &&
+        !can(learning_call::batch))
+      return "`collect` and `batch` need a learner that learns in batches, and this one learns online only: "
+             "request `learn`";
+    return {};
+  }
+
+  // A firing of a component whose port "learn" is wired: takes the result of a batch, and answers a request.
+  template <class Port>
+  void hear(const Port& call, const settings& s) {
+    take_batch();
+    if (call.fresh()) (void)obey(detail::learning_call_of(call.vector()[0]), s);
+  }
+  // A request. What is refused changes nothing.
+  learning_answer obey(learning_call call, const settings& s) {
+    if (call != learning_call::nothing) answer_to_last = answer_to(call, s);
+    return answer_to_last;
+  }
+  // The same with the settings as they are by default.
+  learning_answer obey(learning_call call) { return obey(call, settings{}); }
+  learning_answer last_answer() const { return answer_to_last; }
+
+  // From now on a batch may be requested: a thread computes it. Not in a beat; again, it does nothing.
+  void compute_batches() {
+    if constexpr (BatchLearner<Rule>) beside.start(kept.size());
   }
 
   // For use between two beats.
@@ -186,20 +262,67 @@ private:
   static learned_header header(const std::vector<learned_header::constant>& constants) {
     return {std::string(model::title()), std::string(Rule::name), constants};
   }
+  learning_answer answer_to(learning_call call, const settings& s) {
+    using enum learning_answer;
+    using detail::learning_change;
+    if (call > learning_call::batch) return unknown;
+    if (!can(call)) return impossible;
+    switch (call) {
+      case learning_call::collect:
+        return now == learning::collecting || changed(learning_change::collect) ? accepted : not_now;
+      case learning_call::learn:
+        return now == learning::online || changed(learning_change::learn) ? accepted : not_now;
+      case learning_call::rest:
+        return changed(learning_change::rest) || is_at_rest() ? accepted : not_now;
+      case learning_call::forget:
+        if (!changed(learning_change::forget)) return not_now;
+        clear();
+        return accepted;
+      default:
+        return now == learning::batch ? accepted : start_batch(s);
+    }
+  }
+  learning_answer start_batch([[maybe_unused]] const settings& s) {
+    using enum learning_answer;
+    if constexpr (BatchLearner<Rule>) {
+      if (!beside.is_there()) return impossible;
+      if (!detail::is_legal(detail::learning_change::begin_batch, now)) return not_now;
+      if (example_count() == 0) return no_examples;
+      if (!beside.ask(kept, written, s)) return not_now;
+      (void)changed(detail::learning_change::begin_batch);
+      return accepted;
+    } else {
+      return impossible;
+    }
+  }
+  void take_batch() {
+    if constexpr (BatchLearner<Rule>) {
+      if (now != learning::batch) return;
+      const auto end = beside.take(known);
+      if (end == detail::batch_end::not_yet) return;
+      if (end == detail::batch_end::done) has_learned = true;
+      else answer_to_last = learning_answer::failed;
+      now = has_learned ? learning::trained : learning::idle;
+    }
+  }
+  bool is_at_rest() const { return now == learning::idle || now == learning::trained; }
+
   bool changed(detail::learning_change what) {
     for (const auto& one : detail::learning_transitions)
       if (one.what == what && one.from == now) {
+        if constexpr (BatchLearner<Rule>)
+          if (now == learning::batch) beside.give_up();
         now = what == detail::learning_change::rest && !has_learned ? learning::idle : one.to;
+        if (now == learning::collecting) begin_demonstration();
         return true;
       }
     return false;
   }
   void change(detail::learning_change what, const char* call) {
     if (changed(what)) return;
-    throw refused(
-        std::string("cca::training: ") + call + " is refused while it is `" + std::string(to_string(now)) +
-        "`: " +
-        (now == learning::idle || now == learning::trained ? "nothing is running" : "call rest() first"));
+    throw refused(std::string("cca::training: ") + call + " is refused while it is `" +
+                  std::string(to_string(now)) +
+                  "`: " + (is_at_rest() ? "nothing is running" : "call rest() first"));
   }
   void clear() {
     known = {};
@@ -212,6 +335,9 @@ private:
   std::size_t written = 0;
   learning now = learning::idle;
   bool has_learned = false;
+  bool is_anew = true;  // the next example begins a demonstration
+  learning_answer answer_to_last = learning_answer::none;
+  [[no_unique_address]] typename detail::batches_of<Rule>::type beside;
 };
 
 }  // namespace cca

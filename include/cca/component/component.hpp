@@ -61,6 +61,8 @@ struct component_info {
   bool limits_commands = false;    // a limiter: its output may reach an actuator
   bool preserves_limits = false;   // a splitter, a collector: outputs keep the limits of the inputs
   bool moves_nothing = false;      // a publisher: its `act` tells others, and is no actuator
+  // Why an input can't take a constant that its writer may publish; empty: it can. Null: it takes all.
+  std::string_view (*refusal)(std::string_view input, double constant) = nullptr;
   constexpr std::string_view name() const { return without_namespaces(spelled_type); }
   constexpr bool resource() const { return sense || act; }
 };
@@ -95,6 +97,10 @@ inline constexpr component_info component_of = [] {
   if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
   if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;
   if constexpr (requires { Type::moves_nothing; }) info.moves_nothing = Type::moves_nothing;
+  if constexpr (requires(std::string_view input) {
+                  { Type::refusal(input, 0.0) } -> std::same_as<std::string_view>;
+                })
+    info.refusal = &Type::refusal;
   return info;
 }();
 

@@ -54,6 +54,12 @@ template <class Component> concept OnIdle = requires(Component& c) {
   { c.on_idle() } -> std::same_as<void>;
 };
 
+// Told by load(), before on_load, once for each of its inputs that is wired: what it needs for this input,
+// like a thread, is then made outside of the loop, and only where somebody uses it.
+template <class Component> concept OnWired = requires(Component& c, std::string_view input) {
+  { c.on_wired(input) } -> std::same_as<void>;
+};
+
 // Most components have no hook: one check instead of ten keeps compiling fast.
 template <class Component> concept NamesNone = CanBeProbed<Component> && requires {
   &hook_probe<Component>::on_load, &hook_probe<Component>::on_save, &hook_probe<Component>::on_start,

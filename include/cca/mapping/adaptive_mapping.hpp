@@ -16,12 +16,13 @@
 // (of the learner), files (load, save). Both are a cca::Mapping and may stand in chains.
 // Numbers beyond 1e12 count as 1e12. NaN and infinity are never learned; the output of that firing is NaN,
 // and the status says `outside` (the trained region). Preconditions: spaces with one number per axis. Errors:
-// learner.model; `cca::refused` for files. Cost: one answer; with a teacher also one step of the learner.
-// Example: tests/runtime/adaptive/mapping.cpp.
+// learner.model, learner.request; `cca::refused` for files. Cost: one answer; with a teacher also one step of
+// the learner. Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -66,7 +67,7 @@ struct learned_mapping {
     if constexpr (!bound) {
       return {};
     } else {
-      if (call && call.fresh()) learning.obey(call.template as<learning_call>());
+      if (call) learning.hear(call, p.settings);
       detail::input_check inputs;
       const typename From::vector_type x = inputs(input.vector());
       typename To::vector_type zero = To::vector_type::Zero();
@@ -76,7 +77,7 @@ struct learned_mapping {
       const typename To::vector_type y =
           inputs.unreadable() ? To::vector_type::Constant(std::numeric_limits<double>::quiet_NaN()).eval()
                               : typename To::vector_type(zero + learning.answer(x));
-      return {y, learning.status(x, p.settings)};
+      return {y, learning.status(x, p.settings, static_cast<bool>(call))};
     }
   }
 
@@ -85,6 +86,13 @@ struct learned_mapping {
   }
   void on_save() {
     if (!p.files.save.view().empty()) learning.save(std::string(p.files.save.view()));
+  }
+  void on_wired(std::string_view port) {
+    if (port == "learn") learning.compute_batches();
+  }
+  // Why a constant request is refused (learner.request).
+  static constexpr std::string_view refusal(std::string_view port, double constant) {
+    return port == "learn" ? training<Rule, Capacity>::refusal(constant) : std::string_view{};
   }
 };
 

@@ -41,7 +41,9 @@ public:
         check_parameters(component.p, path_of_node<Graph>(node), detail::step_of<Graph>(node));
     });
     // A hook may refuse, where a file is damaged: then the state stays as it was.
-    visit([]<class C>(int, C& component) {
+    visit([]<class C>([[maybe_unused]] int node, C& component) {
+      if constexpr (OnWired<C>)
+        each_wired_input<Graph>(node, [&](std::string_view input) { component.on_wired(input); });
       if constexpr (OnLoad<C>) component.on_load();
     });
     move(transition::load, "load()");

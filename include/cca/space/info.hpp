@@ -34,6 +34,10 @@ struct space_info {
   std::string_view unit;           // of the quantity; empty if it has none
   const std::string_view *coordinates,
       *coordinate_units;  // null, or as the domain type names its numbers
+
+  // All numbers that a sample can hold, where the space states them: `static constexpr std::array only{...}`.
+  const double* only = nullptr;
+  int only_count = 0;
 };
 
 // The axis `hip` of element 2 of an array is a type `element<hip, 2>`, and its own name is "hip2".
@@ -59,6 +63,17 @@ template <class Domain>
 constexpr const std::string_view* coordinate_units_of() {
   if constexpr (requires { Domain::coordinate_units.data(); }) return Domain::coordinate_units.data();
   else return nullptr;
+}
+
+template <class Space>
+constexpr const double* only_of() {
+  if constexpr (requires { Space::only.data(); }) return Space::only.data();
+  else return nullptr;
+}
+template <class Space>
+constexpr int only_count_of() {
+  if constexpr (requires { Space::only.size(); }) return static_cast<int>(Space::only.size());
+  else return 0;
 }
 
 template <class Axes>
@@ -97,6 +112,8 @@ inline constexpr space_info space_of = {
     unit_of<typename Space::domain::quantity>(),
     coordinates_of<typename Space::domain>(),
     coordinate_units_of<typename Space::domain>(),
+    only_of<Space>(),
+    only_count_of<Space>(),
 };
 
 // The rates must agree only if both spaces state one.

@@ -19,6 +19,7 @@
 // EXPECT wire_two_writers: wire\.two_writers: `n23\.x` is written by `n22\.y` and by `n7\.y`, but an input has one writer: put an arbiter in front, cca::arbiter<`x`, signal,
 // EXPECT wire_bad_initial: wire\.bad_initial: cca::initial of the wire `n7\.y` -> `extra\.x` gives 2 numbers, but `extra\.x` has 1: give one for each, or one for all
 // EXPECT space_mismatch: space\.mismatch: `extra\.y` publishes hip_angle \(joint_angles over hip\) but `end\.x` expects signal \(number over x\): the domain types differ; put a
+// EXPECT learner_request: learner\.request: `extra\.y` may request of `pupil\.learn` what is not possible there: `learn` needs a learner that learns online, and this one learns in batches only
 // EXPECT wire_unconnected_input: wire\.unconnected_input: `extra\.b` is not connected: in wire_unconnected_input, wire an output of signal \(number over x\) to `extra\.b`, or expose it,
 // EXPECT rate_missing: rate\.missing: neither rate_missing nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph
 // EXPECT strategy_never_fires: strategy\.never_fires: `extra` \(listener\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
@@ -42,6 +43,7 @@
 // EXPECT modes_unknown_mode: modes\.unknown_mode: `extra` \(asks_for_mode\) returns a cca::switch_to<`three`>, but modes_unknown_mode has no such mode
 // EXPECT modes_command_jumps: modes\.command_jumps: `leg\.command` gets its commands from `limits\.safe` in mode `one` but from `others\.safe` in mode `two`, so at a switch they could jump
 // Each rule of a graph, broken in one of fifty nodes.
+#include <cca/adaptive/module_status.hpp>
 #include <cca/deployment.hpp>
 #include <cca/modes.hpp>
 
@@ -86,6 +88,13 @@ struct finishing {
 };
 struct stops_others {
   auto process(cca::in<"x", signal>) -> cca::stops<"n77"> { return {}; }
+};
+using requests_to_learn = cca::learning_requests<cca::learning_call::learn>;
+struct slow_pupil {
+  void process(cca::in<"learn", cca::learning_request>) {}
+  static constexpr std::string_view refusal(std::string_view, double) {
+    return "`learn` needs a learner that learns online, and this one learns in batches only";
+  }
 };
 struct listener {
   void process(cca::optional_in<"x", signal>) {}
@@ -142,6 +151,10 @@ struct space_mismatch : fifty_nodes_and<at_1000_hz,
                                         cca::node<"extra", source_of<hip_angle>>,
                                         cca::node<"end", sink>,
                                         cca::wire<"extra.y", "end.x">> {};
+struct learner_request : fifty_nodes_and<at_1000_hz,
+                                         cca::node<"extra", source_of<requests_to_learn>>,
+                                         cca::node<"pupil", slow_pupil>,
+                                         cca::wire<"extra.y", "pupil.learn">> {};
 struct wire_unconnected_input
     : fifty_nodes_and<at_1000_hz, cca::node<"extra", merge>, cca::wire<"n7.y", "extra.a">> {};
 struct rate_missing : fifty_nodes_and<> {};

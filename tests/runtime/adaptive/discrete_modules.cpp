@@ -5,6 +5,7 @@
 #include <cca/motor/modules/dmp_pose_module.hpp>
 
 #include "../../laws/module_laws.hpp"
+#include "../../laws/request_laws.hpp"
 #include "../motor/rig.hpp"
 
 using namespace motor_test;
@@ -157,9 +158,11 @@ void repeats_a_recording(bool scaled, const typename Case::vector& other_goal, d
 
 TEST_CASE("a discrete movement primitive as a module obeys the laws of an adaptive module") {
   laws::adaptive_module<leg_case>();
+  laws::requests<laws::module_student<leg_case>>();
 }
 TEST_CASE("a movement primitive of a pose as a module obeys the laws of an adaptive module") {
   laws::adaptive_module<hand_case>();
+  laws::requests<laws::module_student<hand_case>>();
 }
 
 TEST_CASE("a recorded movement is learned whole, and repeated to another goal") {

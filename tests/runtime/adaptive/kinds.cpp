@@ -465,7 +465,8 @@ TEST_CASE("a generator oscillates around its centre, and rests there at a negati
   CHECK(width > 0.2);
   CHECK(laws::told(c).at("swing.status.module") ==
         std::vector<double>{cca::status_of(cca::learning::trained),
-                            cca::status_of(cca::trained_region::inside)});
+                            cca::status_of(cca::trained_region::inside),
+                            cca::status_of(cca::learning_answer::none)});
   auto ahead = c;  // half a turn ahead: where one is high, the other is low
   ahead.get<"hand">().phase = cca::pi;
   c.run(cca::for_beats<600>{});

@@ -8,6 +8,7 @@
 #include <cca/adaptive/tracking.hpp>
 
 #include "../../laws/learner_laws.hpp"
+#include "../../laws/request_laws.hpp"
 #include "rig.hpp"
 
 using namespace adaptive_test;
@@ -110,9 +111,29 @@ struct table_case {
   static Eigen::Vector2d far() { return {2, 2}; }
 };
 
+struct taught_sequencer {
+  using student = cca::learned_sequencer<"s.*", plan>;
+  static constexpr auto numbers = laws::any_numbers;
+  static auto fresh() { return std::make_unique<student>(); }
+  static laws::told_of_request fire(student& s, double call, bool) {
+    const auto [step, running, timed_out, status, module, broken] =
+        s.process({nullptr, 0}, {nullptr, 0},
+                  cca::in<"criterion", cca::criterion_port>(Eigen::Matrix<double, 1, 1>(0), 0, true), {},
+                  laws::numbered_request(call), motor_test::at(0));
+    return laws::told_of(module.vector());
+  }
+  static void teach(student& s) {
+    for (const auto& one : laws::examples<table_case>(100, 7)) s.learning.teach(one.x, one.y, s.p.settings);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the table of preferences obeys the laws of a learner") { laws::learner<table_case>(); }
+TEST_CASE("the table of preferences and its sequencer answer every request") {
+  laws::requests<laws::lone_learner<table_case>>();
+  laws::requests<taught_sequencer>();
+}
 
 TEST_CASE("it learns to prefer the skill that the criterion rates better, and stays within the plan") {
   for (const bool quick_is_better : {true, false}) {

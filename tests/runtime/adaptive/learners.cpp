@@ -7,6 +7,7 @@
 #include <cca/motor/gmr.hpp>
 
 #include "../../laws/learner_laws.hpp"
+#include "../../laws/request_laws.hpp"
 #include "rig.hpp"
 
 using namespace adaptive_test;
@@ -39,6 +40,13 @@ struct lwr_case : half_of<rhythmic_case> {
 struct rls_case : half_of<rhythmic_case> {
   using learner = cca::recursive_least_squares<shape>;
   static constexpr double left = 0.01;
+};
+// Without its batch.
+struct online_only : lwr_case::learner {
+  static void batch() = delete;
+};
+struct online_only_case : lwr_case {
+  using learner = online_only;
 };
 struct discrete_case {
   using learner = cca::locally_weighted_regression<discrete>;
@@ -78,6 +86,14 @@ TEST_CASE("locally weighted regression obeys the laws of a learner") {
 TEST_CASE("recursive least squares obeys the laws of a learner") { laws::learner<rls_case>(); }
 TEST_CASE("an extreme learning machine obeys the laws of a learner") { laws::learner<elm_case>(); }
 TEST_CASE("a Gaussian mixture obeys the laws of a learner") { laws::learner<gmr_case>(); }
+TEST_CASE("every learner answers every request, and does what it says") {
+  laws::requests<laws::lone_learner<lwr_case>>();
+  laws::requests<laws::lone_learner<discrete_case>>();
+  laws::requests<laws::lone_learner<rls_case>>();
+  laws::requests<laws::lone_learner<elm_case>>();
+  laws::requests<laws::lone_learner<gmr_case>>();
+  laws::requests<laws::lone_learner<online_only_case>>();
+}
 
 TEST_CASE("locally weighted regression equals its formula, online as in a batch") {
   using learner = lwr_case::learner;

@@ -11,6 +11,7 @@
 
 #include "../../laws/learner_laws.hpp"
 #include "../../laws/mapping_laws.hpp"
+#include "../../laws/request_laws.hpp"
 #include "../mapping/chains.hpp"
 #include "../picture.hpp"
 #include "rig.hpp"
@@ -55,9 +56,46 @@ struct ik_case {
 
 struct here : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
 
+// For the laws of requests.
+template <class Mapping, class Case>
+struct taught_mapping {
+  using student = Mapping;
+  static constexpr auto numbers = laws::any_numbers;
+  static auto fresh() { return std::make_unique<student>(); }
+  static laws::told_of_request fire(student& s, double call, bool) { return process(s, 0, call, false); }
+  static void teach(student& s) {
+    for (int k = 0; k < 100; ++k) (void)process(s, k, 0, true);
+  }
+
+private:
+  static laws::told_of_request process(student& s, int k, double call, bool is_shown) {
+    static const auto all = laws::examples<Case>(100, 7);
+    const auto& one = all[static_cast<std::size_t>(k)];
+    using ports = cca::detail::function_facts<decltype(&student::process)>;
+    return [&]<class In, class Teacher, class Call>(cca::detail::list<In, Teacher, Call>) {
+      Teacher teacher(one.y, k, is_shown);
+      teacher.set_wired();
+      const auto [output, status] = s.process(In(one.x, k, true), teacher, laws::numbered_request(call));
+      return laws::told_of(status.vector());
+    }(typename ports::parameters{});
+  }
+};
+struct correction_case {
+  using learner = cca::extreme_learning_machine<cca::elm_function<here, here, 40>>;
+  static Eigen::Vector2d input(laws::ode_source& random) { return {random(-1, 1), random(-1, 1)}; }
+  static Eigen::Vector2d truth(const Eigen::Vector2d& x) { return {x[0] + 0.1 * x[1] * x[1], 0.9 * x[1]}; }
+};
+
 }  // namespace
 
 TEST_CASE("learned inverse kinematics obey the laws of a learner") { laws::learner<ik_case>(); }
+
+TEST_CASE("an adaptive mapping and a transformation answer every request") {
+  laws::requests<laws::lone_learner<ik_case>>();
+  laws::requests<taught_mapping<learned_ik, ik_case>>();
+  laws::requests<
+      taught_mapping<cca::adaptive_transformation<here, correction_case::learner>, correction_case>>();
+}
 
 TEST_CASE("learned inverse kinematics agree with the analytic ones to two milliradians") {
   static_assert(cca::Mapping<learned_ik> && cca::SameSpace<cca::output_space<learned_ik>, angles>);

@@ -5,6 +5,7 @@
 #include <cca/motor/modules/rcpg_module.hpp>
 
 #include "../../laws/module_laws.hpp"
+#include "../../laws/request_laws.hpp"
 #include "../motor/rig.hpp"
 
 using namespace motor_test;
@@ -62,6 +63,7 @@ struct gmr_case {
     return most;
   }
   static void change(auto& p) { p.stiffness = 30; }
+  static void hasten(module& m) { m.p.settings.iterations = 5; }
 };
 
 // Two axes with harmonics, period 50 firings.
@@ -115,9 +117,11 @@ struct rcpg_case {
 
 TEST_CASE("Gaussian mixture regression as a module obeys the laws of an adaptive module") {
   laws::adaptive_module<gmr_case>();
+  laws::requests<laws::module_student<gmr_case>>();
 }
 TEST_CASE("a reservoir as a module obeys the laws of an adaptive module") {
   laws::adaptive_module<rcpg_case>();
+  laws::requests<laws::module_student<rcpg_case>>();
 }
 
 TEST_CASE("what is learned moves with its reference") {

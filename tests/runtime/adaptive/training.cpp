@@ -78,24 +78,6 @@ TEST_CASE("each change of a training is legal in its states and refused in the o
   }
 }
 
-TEST_CASE("a request of another component is followed if it is legal, and ignored otherwise") {
-  using enum cca::learning_call;
-  const auto after = [](cca::learning state, cca::learning_call call) {
-    auto s = in_state(state);
-    s.obey(call);
-    if (call == forget) CHECK_EQ(s.example_count(), state == idle || state == trained ? 0 : 3);
-    return s.state();
-  };
-  for (const auto state : states) {
-    CHECK(after(state, nothing) == state);
-    CHECK(after(state, collect) == (state == idle || state == trained ? collecting : state));
-    CHECK(after(state, learn) == (state == idle || state == trained ? online : state));
-    CHECK(after(state, cca::learning_call::rest) ==
-          (state == collecting || state == online || state == batch ? idle : state));
-    CHECK(after(state, forget) == (state == trained ? idle : state));
-  }
-}
-
 TEST_CASE("it learns only on request, only from finite examples, and keeps the newest") {
   for (const auto state : {idle, batch, trained}) {
     auto s = in_state(state);

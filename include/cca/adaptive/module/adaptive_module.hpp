@@ -5,10 +5,11 @@
 //
 //   in  ...              the inputs of the motion; for an adaptive component one of them is "reference"
 //   in  "demonstration"  the motion's space  optional: the movement to learn
-//   in  "learn"          learning_request    optional: a request of another component
+//   in  "learn"          learning_request    optional: a request of another component (training.hpp)
 //   out ...              the outputs of the motion; for an adaptive component one of them is "command"
 //   out "ode"            ode_status_port
-//   out "module"         module_status_port  what the learner does, and whether this input was trained
+//   out "module"         module_status_port  what the learner does, whether this input was trained, and what
+//                                            became of the last request
 //
 // A motion is a class with a state. It has
 //
@@ -19,8 +20,10 @@
 //                                learner) and `files` (learned_files)
 //   step(give, p, function, teach, inputs..., demonstration, now)
 //                                one firing. `function` is the learned value. `teach(x, y)` gives an example
-//                                to the learner; `teach.listens()`: it would use one. It returns
-//                                give(the number for "ode", the input of the model, the outputs...)
+//                                to the learner; `teach.listens()`: it would use one;
+//                                `teach.begin_demonstration()`: the next one begins another demonstration
+//                                (for a SequenceModel). It returns give(the number for "ode", the input of
+//                                the model, the outputs...)
 //   start()                      the next movement begins anew
 //   constants(p)                 static: the values that the learned numbers depend on; a file states them
 //   load(p)                      optional: before a file is read
@@ -39,6 +42,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -64,6 +68,8 @@ public:
   bool listens() const {
     return learning.state() == cca::learning::collecting || learning.state() == cca::learning::online;
   }
+  // The next example begins another demonstration: for models of sequences.
+  [[gnu::always_inline]] void begin_demonstration() const { learning.begin_demonstration(); }
   // docs/compilers.md says why it is inlined.
   [[gnu::always_inline]] void operator()(const typename Training::input& x,
                                          const typename Training::output& y) const {
@@ -96,13 +102,14 @@ struct module_of<Motion, Rule, Capacity, module_inputs<In...>, module_outputs<Ou
                optional_in<"learn", learning_request> call,
                beat now)
       -> std::tuple<Out..., out<"ode", ode_status_port>, out<"module", module_status_port>> {
-    if (call && call.fresh()) learning.obey(call.template as<learning_call>());
+    const auto asked = static_cast<bool>(call);
+    if (asked) learning.hear(call, p.settings);
     // The motion calls it, so the outputs are made in their place: a result that is taken apart here costs
     // 90 instructions.
-    const auto give = [this](double ode, const typename model::input& at,
-                             const Out&... outputs) __attribute__((always_inline)) {
+    const auto give = [this, asked](double ode, const typename model::input& at,
+                                    const Out&... outputs) __attribute__((always_inline)) {
       return std::tuple<Out..., out<"ode", ode_status_port>, out<"module", module_status_port>>(
-          outputs..., ode, learning.status(at, p.settings));
+          outputs..., ode, learning.status(at, p.settings, asked));
     };
     return motion.step(give, p, learning.get().function, module_teacher(learning, p.settings), inputs...,
                        demonstration, now);
@@ -140,6 +147,13 @@ struct module_of<Motion, Rule, Capacity, module_inputs<In...>, module_outputs<Ou
     if (!p.files.save.view().empty()) learning.save(std::string(p.files.save.view()), constants());
   }
   void on_start() { motion.start(); }
+  void on_wired(std::string_view input) {
+    if (input == "learn") learning.compute_batches();
+  }
+  // Why a constant request is refused (learner.request).
+  static constexpr std::string_view refusal(std::string_view input, double constant) {
+    return input == "learn" ? training<learner, Capacity>::refusal(constant) : std::string_view{};
+  }
 
   std::vector<learned_header::constant> constants() const { return Motion::constants(p); }
 

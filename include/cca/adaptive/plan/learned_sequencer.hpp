@@ -95,7 +95,7 @@ struct learned_sequencer {
                                        out<"status", component_status_port>,
                                        out<"module", module_status_port>,
                                        fault> {
-    if (call && call.fresh()) learning.obey(call.template as<learning_call>());
+    if (call) learning.hear(call, p.settings);
     const int running = steps.step();
     const std::int64_t age = steps.beats(now);
     steps.update_by(
@@ -111,7 +111,7 @@ struct learned_sequencer {
             1e-9 * static_cast<double>(steps.beats(now) * period),
             steps.timed_out() ? 1 : 0,
             status_of(steps.finished() ? component_status::reached : component_status::converging),
-            learning.status({std::max(before, 0), steps.step()}, p.settings),
+            learning.status({std::max(before, 0), steps.step()}, p.settings, static_cast<bool>(call)),
             steps.unheard()
                 ? fault("sequencer: a condition names a path that nobody publishes under its scope")
                 : fault()};
@@ -122,6 +122,13 @@ struct learned_sequencer {
   }
   void on_save() {
     if (!p.files.save.view().empty()) learning.save(std::string(p.files.save.view()));
+  }
+  void on_wired(std::string_view input) {
+    if (input == "learn") learning.compute_batches();
+  }
+  // Why a constant request is refused (learner.request).
+  static constexpr std::string_view refusal(std::string_view input, double constant) {
+    return input == "learn" ? training<learner, 500>::refusal(constant) : std::string_view{};
   }
   void on_start() {
     steps = {};

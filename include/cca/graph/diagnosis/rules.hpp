@@ -38,6 +38,7 @@
 #include <cca/graph/diagnosis/rules/time/rate_mismatch.hpp>
 #include <cca/graph/diagnosis/rules/time/rate_missing.hpp>
 #include <cca/graph/diagnosis/rules/time/rate_unstated.hpp>
+#include <cca/graph/diagnosis/rules/wires/learner_request.hpp>
 #include <cca/graph/diagnosis/rules/wires/space_mismatch.hpp>
 #include <cca/graph/diagnosis/rules/wires/wire_bad_initial.hpp>
 #include <cca/graph/diagnosis/rules/wires/wire_bad_option.hpp>
@@ -70,6 +71,7 @@ using rules = list<
     wire_two_writers,
     wire_bad_option,
     space_mismatch,
+    learner_request,
     wire_bad_initial,
     wire_unconnected_input,
     rate_missing,
