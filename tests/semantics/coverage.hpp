@@ -132,6 +132,7 @@ public:
                                            "of skeletons: pipeline",
                                            "of skeletons: pipeline_over",
                                            "of skeletons: farm",
+                                           "of skeletons: farm with inner wires",
                                            "skeleton: by_priority",
                                            "skeleton: by_freshness",
                                            "skeleton: switch",

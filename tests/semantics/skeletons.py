@@ -128,7 +128,11 @@ class Skeletons:
         if PARTS[result][1] != count:
             result = whole
         given = PARTS[result][0]
-        self.stay_together(True)
+        between = random.Random(self.made.seed * 31 + number).choice([None, None, ("delayed", 1), ("delayed", 2), ("queue", 2, "drop_oldest")])
+        if between:
+            self.made.count("of skeletons: farm with inner wires")
+        self.stay_together(not between or between[0] != "delayed")
+        inner, stated = between or ("latest",), bool(between)
         split = self.node("split", number, ("share_out", count))
         self.take(split, "input", self.own(whole), self.policy())
         nodes, sign = [split], (number + 1, self.rng.choice(["out", "out", "maybe"]))
@@ -137,18 +141,18 @@ class Skeletons:
         ends = []
         for j in range(count):
             worker = self.node(f"worker{j}", sign[0])  # of one type: they have one number
-            self.take(worker, "x0", (split, parts[j]), stated=False)
+            self.take(worker, "x0", (split, parts[j]), inner, stated=stated)
             worker.strategy, worker.publishes = ("port_triggered", ("x0",)), 70
             ends.append((worker, self.give(worker, "y0", given, sign[1])))
             nodes.append(worker)
         join = self.node("join", number, ("gather", count))
         join.strategy = ("moderate",)
         for j, end in enumerate(ends):
-            self.take(join, f"part{j}", end, stated=False)
+            self.take(join, f"part{j}", end, inner, stated=stated)
         nodes.append(join)
         self.stay_together(False)
         output = join, self.give(join, "output", result)
-        self.groups.append(Group(("farm", whole, result), nodes, {"split.input": "input", "join.output": "output"}))
+        self.groups.append(Group(("farm", whole, result, between), nodes, {"split.input": "input", "join.output": "output"}))
         return output
 
     def farm_on_threads(self, name, number, whole, result):
@@ -280,16 +284,21 @@ def skeleton_cpp(skeleton, node):
     return f'cca::collector<"whole", {space}>'
 
 
+def inner_wires(between):
+    """The option of a skeleton that sets the policy of its inner wires; nothing where none is stated."""
+    if not between or between[0] == "latest":
+        return ""
+    policy = f"cca::delayed<{between[1]}>" if between[0] == "delayed" else f"cca::queue<{between[1]}, cca::{between[2]}>"
+    return f", cca::inner_wires<{policy}>"
+
+
 def group_cpp(group, node_cpp):
     kind, nodes = group.skeleton[0], group.nodes
     if kind == "farm":
-        return f"cca::farm<{node_cpp(nodes[1])}, {group.skeleton[1]}, {group.skeleton[2]}>"
+        whole, result, between = group.skeleton[1:]
+        return f"cca::farm<{node_cpp(nodes[1])}, {whole}, {result}{inner_wires(between)}>"
     if kind == "farm_on_threads":
         whole, result = group.skeleton[1:]
         return f"cca::farm_on_threads<apprentice<{PARTS[whole][0]}, {PARTS[result][0]}>, {whole}, {result}>"
     stages = ", ".join(node_cpp(node) for node in nodes)
-    if kind == "pipeline":
-        return f"cca::pipeline<{stages}>"
-    between = group.skeleton[1]
-    policy = f"cca::delayed<{between[1]}>" if between[0] == "delayed" else f"cca::queue<{between[1]}, cca::{between[2]}>"
-    return f"cca::pipeline_over<{policy}, {stages}>"
+    return f"cca::pipeline<{stages}{inner_wires(group.skeleton[1])}>"

@@ -272,7 +272,7 @@ TEST_CASE("module") {
 }
 TEST_CASE("requests") {
   try_model("requests", does_nothing, 5, laws::requests<deaf_case<kind::nothing>>);
-  try_model("requests", refuses, 5, laws::requests<deaf_case<kind::refusing>>);
+  try_model("requests", refuses, 4, laws::requests<deaf_case<kind::refusing>>);
   try_model("requests", repeats, 5, laws::requests<deaf_case<kind::repeating>>);
 }
 TEST_CASE("adaptive component") {

@@ -21,6 +21,8 @@
 // Options, in any order:
 //   a strategy                            of module, criterion and status; default: timed<1>
 //   named<"goal", "position", "status">   the module's names for reference, command and ode status
+//   inner_wires<delayed<1>>               policies of the wires inside: with a delay its parts may run in
+//                                         environments of their own; default: latest
 //   against<criterion_target::reference>  the target of the criterion, instead of the criterion's default
 //   reference_through<M>, feedback_through<M>, command_through<M>, control_through<"name", M>
 //                                         the mapping M on that port: the port has the space of M, the module
@@ -44,7 +46,9 @@ namespace cca {
 
 template <class Module, Criterion Measure, class... Options>
 struct adaptive_component
-    : detail::graph_from<typename detail::adaptive_items<Module, Measure, Options...>::type> {};
+    : detail::graph_from<typename detail::adaptive_items<Module, Measure, Options...>::type> {
+  static constexpr auto inner_wires_of = detail::wires_of::this_one;
+};
 
 // A Tracker: its reference moves and the command follows. The name is the source document's; the skeleton is
 // the same.

@@ -39,13 +39,13 @@ struct phase_shift {
   }
 };
 
-template <class Axis, class Pattern, class Oscillator, class Strategy>
+template <class Axis, class Pattern, class Oscillator, class Strategy, class Policies>
 struct oscillation : graph<node<"oscillator", Oscillator, Strategy>,
                            node<"shift", phase_shift<Axis>, Strategy>,
                            node<"pattern", Pattern, Strategy>,
-                           wire<"oscillator.phase", "shift.phase", latest>,
-                           wire<"shift.shifted", "pattern.phase", latest>,
-                           wire<"oscillator.amplitude", "pattern.amplitude", latest>,
+                           detail::wire_inside<"oscillator.phase", "shift.phase", Policies>,
+                           detail::wire_inside<"shift.shifted", "pattern.phase", Policies>,
+                           detail::wire_inside<"oscillator.amplitude", "pattern.amplitude", Policies>,
                            expose<"oscillator.amplitude", "amplitude">,
                            expose<"oscillator.frequency", "frequency">,
                            expose<"pattern.frequency", "frequency">,
@@ -57,13 +57,18 @@ struct oscillation : graph<node<"oscillator", Oscillator, Strategy>,
                            expose<"pattern.command", "command">,
                            expose<"pattern.velocity", "velocity">,
                            expose<"pattern.ode", "ode">,
-                           expose<"pattern.module", "module">> {};
+                           expose<"pattern.module", "module">> {
+  static constexpr auto inner_wires_of = detail::wires_of::the_one_around;
+};
 
 template <class Axis, class Pattern, Criterion Measure, class Oscillator = hopf<Axis>, class... Options>
 struct generator
-    : adaptive_component<
-          oscillation<Axis, Pattern, Oscillator, typename detail::strategy_option<Options...>::type>,
-          Measure,
-          Options...> {};
+    : adaptive_component<oscillation<Axis,
+                                     Pattern,
+                                     Oscillator,
+                                     typename detail::strategy_option<Options...>::type,
+                                     typename detail::inner_policies<detail::list<latest>, Options...>::type>,
+                         Measure,
+                         Options...> {};
 
 }  // namespace cca

@@ -1,4 +1,5 @@
-// A farm: equal workers, each on its part of an array-valued sample (the source document, section 4.4.3).
+// A farm: equal workers, each on its part of an array-valued sample (the source document, section 4.4.3:
+// "distribute tasks to a set of identical and simultaneously working nodes").
 //
 //   cca::node<"ik", cca::farm<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>
 //   cca::node<"ik", cca::farm<leg_ik, all_paws, all_angles>>      axes in order, leg by leg
@@ -9,9 +10,14 @@
 // into To. A worker is a component with one input that must be wired and one output (status outputs do not
 // count), or a pipeline. A farm is a graph: `split` divides the sample, `worker0`, `worker1`, ... each fire
 // with their part, and `join` puts the results together once all are new (`moderate`). All of it runs in one
-// beat, inlined. farm_on_threads.hpp has the same with a thread per worker.
-// Errors: skeleton.arity. Cost: that of the workers. Example: tests/runtime/skeleton/pipeline_farm.cpp;
-// docs/skeletons.md.
+// beat, inlined.
+//
+// With `cca::inner_wires<cca::delayed<1>>` as fourth argument (inner_wires.hpp) the workers may run in
+// environments of their own: threads, processes, machines, with the results of one loop, two beats later.
+// farm_on_threads.hpp has a thread per worker, whose results come when they are done.
+//
+// Errors: skeleton.arity; deployment.undelayed. Cost: that of the workers. Example:
+// tests/runtime/skeleton/pipeline_farm.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
@@ -19,6 +25,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/skeleton/arity.hpp>
+#include <cca/skeleton/inner_wires.hpp>
 #include <cca/skeleton/sharing.hpp>
 #include <cca/skeleton/stage_ports.hpp>
 
@@ -42,21 +49,24 @@ constexpr int workers_in = [] {
 template <std::size_t I>
 inline constexpr auto worker_name = numbered<"worker", I>;
 
-template <class Worker, class From, class To, class Numbers>
+template <class Worker, class From, class To, class Policies, class Numbers>
 struct farm_of;
-template <class Worker, class From, class To, std::size_t... I>
-struct farm_of<Worker, From, To, std::index_sequence<I...>>
+template <class Worker, class From, class To, class Policies, std::size_t... I>
+struct farm_of<Worker, From, To, Policies, std::index_sequence<I...>>
     : graph<node<"split", share_out<From, part_taken<Worker>, sizeof...(I)>>,
             node<worker_name<I>, Worker, typename fires_with_input<Worker>::type>...,
             node<"join", gather<To, part_given<Worker>, sizeof...(I)>, moderate>,
-            wire<joined_name<"split", part_name<I>>,
-                 joined_name<worker_name<I>, input_of_stage<Worker>::name>>...,
-            wire<joined_name<worker_name<I>, output_of_stage<Worker>::name>,
-                 joined_name<"join", part_name<I>>>...,
+            wire_inside<joined_name<"split", part_name<I>>,
+                        joined_name<worker_name<I>, input_of_stage<Worker>::name>,
+                        Policies>...,
+            wire_inside<joined_name<worker_name<I>, output_of_stage<Worker>::name>,
+                        joined_name<"join", part_name<I>>,
+                        Policies>...,
             expose<"split.input", "input">,
             expose<"join.output", "output">> {
   using stage_input = stage_port<"input", From>;
   using stage_output = stage_port<"output", To>;
+  static constexpr auto inner_wires_of = wires_of::this_one;
 };
 
 template <class Whole, class Part>
@@ -89,16 +99,21 @@ struct wrong_farm {
   }
 };
 
-template <class Worker, class From, class To>
+template <class Worker, class From, class To, class... Options>
 constexpr auto farm_kind() {
+  static_assert(
+      sizeof...(Options) < 2 && (is_inner_wires<Options> && ...),
+      "cca::farm: its only option is cca::inner_wires<policies...>, after the spaces of what comes in "
+      "and what goes out");
   if constexpr (constexpr int count = workers_in<Worker, From, To>; count > 0)
-    return std::type_identity<farm_of<Worker, From, To, std::make_index_sequence<array_size(count)>>>();
+    return std::type_identity<farm_of<Worker, From, To, typename inner_policies<list<>, Options...>::type,
+                                      std::make_index_sequence<array_size(count)>>>();
   else return std::type_identity<bad_skeleton<wrong_farm<Worker, From, To>>>();
 }
 
 }  // namespace detail
 
-template <class Worker, class From, class To>
-struct farm : decltype(detail::farm_kind<Worker, From, To>())::type {};
+template <class Worker, class From, class To, class... Options>
+struct farm : decltype(detail::farm_kind<Worker, From, To, Options...>())::type {};
 
 }  // namespace cca

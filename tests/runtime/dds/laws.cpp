@@ -1,6 +1,7 @@
 // The environments of a deployment in processes of their own, over Cyclone DDS.
 #include <doctest/doctest.h>
 
+#include "../../laws/cut_skeletons.hpp"
 #include "../../laws/transport_laws.hpp"
 #include "over_dds.hpp"
 
@@ -8,6 +9,9 @@ TEST_SUITE("deployed over dds") {
   TEST_CASE("each process has the bits of the one loop") {
     transport_laws::has_the_bits_of_one_loop<over_dds>();
     transport_laws::has_the_same_bits_at_wall_clock_speed<over_dds>();
+  }
+  TEST_CASE("a farm whose workers run in processes has the bits of the one loop") {
+    cut_skeletons::a_farm_in_processes<over_dds>();
   }
   TEST_CASE("a killed process is lost contact for the others, at any pace") {
     transport_laws::loses_contact_with_the_killed<over_dds>();

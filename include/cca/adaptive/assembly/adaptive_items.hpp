@@ -29,6 +29,7 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
   using module_ports = typename ports_in<Module>::type;
   using criterion_ports = typename ports_in<Measure>::type;
   using strategy = typename strategy_option<Options...>::type;
+  using policies = typename inner_policies<list<latest>, Options...>::type;
   using on_reference = typename mapping_option<reference_through, Options...>::type;
   using on_feedback = typename mapping_option<feedback_through, Options...>::type;
   using on_command = typename mapping_option<command_through, Options...>::type;
@@ -60,32 +61,32 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
   static constexpr auto measured_feedback = path_to<"criterion", "feedback">;
   using reference_items = typename std::conditional_t<
       has_reference && measures_reference,
-      input_items<on_reference, "reference", module_reference, measured_target>,
+      input_items<policies, on_reference, "reference", module_reference, measured_target>,
       std::conditional_t<has_reference,
-                         input_items<on_reference, "reference", module_reference>,
+                         input_items<policies, on_reference, "reference", module_reference>,
                          std::conditional_t<measures_reference,
-                                            input_items<on_reference, "reference", measured_target>,
+                                            input_items<policies, on_reference, "reference", measured_target>,
                                             joined<list<>>>>>::type;
-  using feedback_items =
-      typename std::conditional_t<has_feedback,
-                                  input_items<on_feedback, "feedback", measured_feedback, module_feedback>,
-                                  input_items<on_feedback, "feedback", measured_feedback>>::type;
+  using feedback_items = typename std::conditional_t<
+      has_feedback,
+      input_items<policies, on_feedback, "feedback", measured_feedback, module_feedback>,
+      input_items<policies, on_feedback, "feedback", measured_feedback>>::type;
 
   using type = typename joined<
       list<typename module_node<Module, strategy>::type,
            node<"criterion", std::conditional_t<sound, Measure, placeholder>, strategy>,
            node<"status", status_of_component<Measure::at_rest>, strategy>,
-           wire<path_to<"module", OdeStatus>, "status.ode", latest>,
-           wire<"criterion.state", "status.criterion", latest>,
+           wire_inside<path_to<"module", OdeStatus>, "status.ode", policies>,
+           wire_inside<"criterion.state", "status.criterion", policies>,
            expose<"status.ode", "ode_status">,
            expose<"status.module", "module_status">,
            expose<"status.component", "component_status">,
            expose<"criterion.error", "error">>,
-      items_if<has_module_status, list<wire<"module.module", "status.module", latest>>>,
-      items_if<!measures_reference, list<wire<module_command, "criterion.target", latest>>>,
+      items_if<has_module_status, list<wire_inside<"module.module", "status.module", policies>>>,
+      items_if<!measures_reference, list<wire_inside<module_command, "criterion.target", policies>>>,
       reference_items,
       feedback_items,
-      typename output_items<on_command, module_command, "command">::type,
+      typename output_items<policies, on_command, module_command, "command">::type,
       typename other_ports_items<"module", module_ports, module_roles, Options...>::type,
       items_if<sound,
                typename other_ports_items<"criterion", criterion_ports, criterion_roles, Options...>::type>>::
@@ -97,8 +98,8 @@ struct adaptive_items {
   static_assert(sizeof(Module) != 0);  // first, so that the mistakes of the module are reported from here
   static_assert((ComponentOption<Options> && ...),
                 "cca::adaptive_component: one of its options is unknown; allowed are a strategy, named<...>, "
-                "against<...>, reference_through<M>, feedback_through<M>, command_through<M> and "
-                "control_through<`name`, M>");
+                "against<...>, inner_wires<policies...>, reference_through<M>, feedback_through<M>, "
+                "command_through<M> and control_through<`name`, M>");
   using type =
       typename adaptive_items_of<Module, Measure, typename names_option<Options...>::type, Options...>::type;
 };

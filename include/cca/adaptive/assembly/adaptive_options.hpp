@@ -4,6 +4,7 @@
 
 #include <cca/adaptive/criterion.hpp>
 #include <cca/component/strategies.hpp>
+#include <cca/skeleton/inner_wires.hpp>
 
 namespace cca {
 
@@ -90,6 +91,9 @@ template <class M>
 constexpr bool is_component_option<command_through<M>> = true;
 template <fixed_string Input, class M>
 constexpr bool is_component_option<control_through<Input, M>> = true;
+
+template <class... Policies>
+constexpr bool is_component_option<inner_wires<Policies...>> = true;
 
 template <class Type> concept ComponentOption = is_component_option<Type>;
 

@@ -25,25 +25,25 @@ template <fixed_string Port>
 inline constexpr auto mapping_node = mapping_node_name(Port);
 
 // The items for an outer input that feeds inner ports, and for an inner output, with or without a mapping.
-template <class Mapping, fixed_string Outer, fixed_string... Inner>
+template <class Policies, class Mapping, fixed_string Outer, fixed_string... Inner>
 struct input_items {
   using type = list<node<mapping_node<Outer>, Mapping>,
                     expose<path_to<mapping_node<Outer>, input_name_of<Mapping>>, Outer>,
-                    wire<path_to<mapping_node<Outer>, output_name_of<Mapping>>, Inner, latest>...>;
+                    wire_inside<path_to<mapping_node<Outer>, output_name_of<Mapping>>, Inner, Policies>...>;
 };
-template <fixed_string Outer, fixed_string... Inner>
-struct input_items<void, Outer, Inner...> {
+template <class Policies, fixed_string Outer, fixed_string... Inner>
+struct input_items<Policies, void, Outer, Inner...> {
   using type = list<expose<Inner, Outer>...>;
 };
 
-template <class Mapping, fixed_string Inner, fixed_string Outer>
+template <class Policies, class Mapping, fixed_string Inner, fixed_string Outer>
 struct output_items {
   using type = list<node<mapping_node<Outer>, Mapping>,
-                    wire<Inner, path_to<mapping_node<Outer>, input_name_of<Mapping>>, latest>,
+                    wire_inside<Inner, path_to<mapping_node<Outer>, input_name_of<Mapping>>, Policies>,
                     expose<path_to<mapping_node<Outer>, output_name_of<Mapping>>, Outer>>;
 };
-template <fixed_string Inner, fixed_string Outer>
-struct output_items<void, Inner, Outer> {
+template <class Policies, fixed_string Inner, fixed_string Outer>
+struct output_items<Policies, void, Inner, Outer> {
   using type = list<expose<Inner, Outer>>;
 };
 
@@ -57,7 +57,8 @@ struct other_port_items {
 template <fixed_string Node, NamedPort Port, fixed_string... Roles, class... Options>
   requires((Port::name != Roles.view()) && ...)
 struct other_port_items<Node, Port, roles<Roles...>, Options...>
-    : input_items<typename control_option<port_facts<Port>::name, Options...>::type,
+    : input_items<typename inner_policies<list<latest>, Options...>::type,
+                  typename control_option<port_facts<Port>::name, Options...>::type,
                   port_facts<Port>::name,
                   path_to<Node, port_facts<Port>::name>> {};
 

@@ -65,6 +65,7 @@ struct graph_info {
   int count = 0;
   graph_sizes sizes;
   ref<deployment_info> deployment = nullptr;  // of a deployment: graph/plan/environments.hpp
+  wires_of inner = wires_of::nobody;
 };
 
 template <class Graph>
@@ -254,10 +255,20 @@ constexpr std::string_view graph_name(std::string_view name) {
 }
 
 template <class Graph>
+constexpr wires_of inner_wires_in() {
+  if constexpr (requires { Graph::inner_wires_of; }) return Graph::inner_wires_of;
+  else return wires_of::nobody;
+}
+
+template <class Graph>
 struct graph_facts {
   using facts = items_facts<typename Graph::cca_items>;
-  static constexpr graph_info value{graph_name(type_name<Graph>()), facts::items.data(), facts::count,
-                                    sizes_of(facts::items.data(), facts::count), nullptr};
+  static constexpr graph_info value{graph_name(type_name<Graph>()),
+                                    facts::items.data(),
+                                    facts::count,
+                                    sizes_of(facts::items.data(), facts::count),
+                                    nullptr,
+                                    inner_wires_in<Graph>()};
 };
 
 }  // namespace cca::detail

@@ -30,7 +30,9 @@ struct deployment_undelayed {
     m.environment(environment_of(out.call));
     m.say() << " and read in ";
     m.environment(environment_of(in.call));
-    m.say() << ", so it takes at least a beat to get there: write ";
+    m.say() << ", so it takes at least a beat to get there: ";
+    if (in.writer >= 0 && m.graph().inner != wires_of::nobody) return tell_skeleton(m, is_queued(in));
+    m.say() << "write ";
     if (in.writer >= 0 && is_queued(in)) tell_queue(m);
     else if (in.writer >= 0) m.wire_with(m.item().from, m.item().to, "cca::delayed<1>");
     else m.say() << "cca::observe<`" << port_of(m.g, in).name << "`, cca::delayed<1>>";
@@ -45,6 +47,21 @@ private:
     m.say() << "cca::wire<`" << m.item().from << "`, `" << m.item().to
             << "`, cca::delayed<1>, cca::" << (m.item().policy == policy_kind::merged ? "merged<" : "queue<")
             << m.item().capacity << ", cca::" << full[static_cast<int>(m.item().full)] << ">>";
+  }
+  // Its wires are not the user's: an option of the skeleton sets their policies.
+  static constexpr void tell_skeleton(auto& m, bool has_queue) {
+    int s = m.found().scope;
+    while (s > 0 && m.g.scopes[s].graph->inner == wires_of::the_one_around) s = m.g.scopes[s].parent;
+    m.say() << (has_queue ? "add cca::delayed<1> to the cca::inner_wires<...> of the skeleton "
+                          : "add cca::inner_wires<cca::delayed<1>> to the arguments of the skeleton ");
+    if (m.g.scopes[s].item) {
+      m.say() << "`";
+      add_scope_path(m.say(), m.g, m.g.scopes[s].parent);
+      m.say() << m.g.scopes[s].item->from << "` (" << m.g.scopes[s].graph->name << ")";
+    } else {
+      m.say() << m.g.scopes[s].graph->name;
+    }
+    m.say() << ", or place its parts in one environment";
   }
 };
 
