@@ -8,7 +8,8 @@
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/assembly/adaptive_options.hpp>
 #include <cca/adaptive/module/adaptive_module.hpp>
-#include <cca/adaptive/batch_thread.hpp>
+#include <cca/adaptive/learning/batch_thread.hpp>
+#include <cca/adaptive/learning/changes.hpp>
 #include <cca/adaptive/component_status.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/criterion.hpp>
@@ -28,6 +29,6 @@
 #include <cca/adaptive/sampling.hpp>
 #include <cca/adaptive/sequence.hpp>
 #include <cca/adaptive/sequencer.hpp>
-#include <cca/adaptive/timed_requests.hpp>
+#include <cca/adaptive/learning/timed_requests.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/adaptive/training.hpp>

@@ -29,7 +29,7 @@
 #include <cca/skeleton/decimate.hpp>
 #include <cca/skeleton/farm.hpp>
 #include <cca/skeleton/hold.hpp>
-#include <cca/skeleton/inner_wires.hpp>
+#include <cca/graph/inner_wires.hpp>
 #include <cca/skeleton/interpolate.hpp>
 #include <cca/skeleton/pipeline.hpp>
 #include <cca/skeleton/splitter.hpp>

@@ -1,7 +1,7 @@
 // EXPECT: learner\.request: `lesson\.learn` may request of `walk\.module\.learn` \(exposed as `walk\.learn`\) what is not possible there: `collect` and `batch` need a learner that learns in batches, and this one learns online only: request `learn`
 // This learner has no batch. The component that requests one is wired to the adaptive component around it.
 #include <cca/adaptive/adaptive_component.hpp>
-#include <cca/adaptive/timed_requests.hpp>
+#include <cca/adaptive/learning/timed_requests.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/motor/dmp_rhythmic_module.hpp>
 

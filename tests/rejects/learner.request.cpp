@@ -1,7 +1,7 @@
 // EXPECT: learner\.request: `lesson\.learn` may request of `ik\.learn` what is not possible there: `learn` needs a learner that learns online, and this one learns in batches only: request `collect`, and then `batch`
 // An extreme learning machine learns in batches only, and this component says which requests it publishes.
 #include <cca/adaptive/extreme_learning_machine.hpp>
-#include <cca/adaptive/timed_requests.hpp>
+#include <cca/adaptive/learning/timed_requests.hpp>
 #include <cca/mapping/adaptive_mapping.hpp>
 
 #include "parts.hpp"

@@ -22,7 +22,7 @@ def rules(root):
     for base in ("include", "robots/include", "sim/include", "hardware/include", "dds/include", "record/include"):
         for header in sorted((root / base).rglob("*.hpp")):
             code = re.sub(r"//.*", "", header.read_text())
-            code = re.sub(r"(?:wire|expose|latency|observe|get)<[^>]*>", "", code)
+            code = re.sub(r"(?:wire|wire_inside|expose|latency|observe|get)<[^>]*>", "", code)
             for rule in LITERAL.findall(code):
                 found.setdefault(rule, header.relative_to(root))
     return found

@@ -14,7 +14,7 @@
 // An example that is NaN, infinite or beyond 1e12 is ignored in every state. An input that is NaN or infinite
 // lies outside of the trained region; its answer is what the model makes of it. There is no fault.
 //
-// It keeps the newest Capacity examples. States and legal changes stand in a table (learning_transitions);
+// It keeps the newest Capacity examples. States and legal changes stand in a table (learning/changes.hpp);
 // other changes are refused. A beat allocates nothing. It is a value: a copy continues independently. Memory:
 // Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp);
 // learner.request for a request that the compiler knows.
@@ -36,7 +36,8 @@
 #include <vector>
 
 #include <cca/component/input_status.hpp>
-#include <cca/adaptive/batch_thread.hpp>
+#include <cca/adaptive/learning/batch_thread.hpp>
+#include <cca/adaptive/learning/changes.hpp>
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/module_status.hpp>
@@ -51,40 +52,6 @@ struct learned_files {
 };
 
 namespace detail {
-
-enum class learning_change : std::uint8_t { collect, learn, begin_batch, hand_over, rest, forget };
-
-struct learning_transition {
-  learning_change what;
-  learning from, to;
-};
-
-// `rest` leads to trained, or to idle if nothing was learned.
-inline constexpr std::array learning_transitions{
-    learning_transition{learning_change::collect, learning::idle, learning::collecting},
-    learning_transition{learning_change::collect, learning::trained, learning::collecting},
-    learning_transition{learning_change::learn, learning::idle, learning::online},
-    learning_transition{learning_change::learn, learning::trained, learning::online},
-    // A batch from idle uses the examples that were collected before.
-    learning_transition{learning_change::begin_batch, learning::idle, learning::batch},
-    learning_transition{learning_change::begin_batch, learning::trained, learning::batch},
-    learning_transition{learning_change::begin_batch, learning::collecting, learning::batch},
-    learning_transition{learning_change::hand_over, learning::batch, learning::trained},
-    learning_transition{learning_change::hand_over, learning::idle, learning::trained},
-    learning_transition{learning_change::hand_over, learning::trained, learning::trained},
-    learning_transition{learning_change::rest, learning::collecting, learning::trained},
-    learning_transition{learning_change::rest, learning::online, learning::trained},
-    // Gives up a batch, without its result.
-    learning_transition{learning_change::rest, learning::batch, learning::trained},
-    learning_transition{learning_change::forget, learning::idle, learning::idle},
-    learning_transition{learning_change::forget, learning::trained, learning::idle},
-};
-
-constexpr bool is_legal(learning_change what, learning from) {
-  for (const auto& one : learning_transitions)
-    if (one.what == what && one.from == from) return true;
-  return false;
-}
 
 // The call that a number is; beyond the last one: none.
 inline constexpr auto no_learning_call = static_cast<learning_call>(255);

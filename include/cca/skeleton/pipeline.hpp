@@ -19,7 +19,7 @@
 #include <utility>
 
 #include <cca/skeleton/arity.hpp>
-#include <cca/skeleton/inner_wires.hpp>
+#include <cca/graph/inner_wires.hpp>
 #include <cca/skeleton/stage_ports.hpp>
 
 namespace cca {

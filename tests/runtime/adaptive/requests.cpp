@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include <cca/adaptive/timed_requests.hpp>
+#include <cca/adaptive/learning/timed_requests.hpp>
 #include <cca/motor/dmp_rhythmic_module.hpp>
 #include <cca/motor/modules/gmr_module.hpp>
 
