@@ -9,6 +9,26 @@ function(cca_find_interpreter)
   endif()
 endfunction()
 
+# cca_test_descriptions(<kind> <program>...): what --write-parameters writes, --config reads unchanged; all outputs are listed.
+function(cca_test_descriptions kind)
+  foreach(program IN LISTS ARGN)
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/written_${program})
+    add_test(NAME "${kind}: ${program} --write-parameters" COMMAND ${program} --write-parameters ${file}.toml)
+    add_test(NAME "${kind}: ${program} --config" COMMAND ${program} --config ${file}.toml --write-parameters ${file}_again.toml)
+    add_test(NAME "${kind}: ${program} --config, unchanged" COMMAND ${CMAKE_COMMAND} -E compare_files ${file}.toml ${file}_again.toml)
+    set_tests_properties("${kind}: ${program} --write-parameters" PROPERTIES FIXTURES_SETUP written_${program})
+    set_tests_properties("${kind}: ${program} --config" PROPERTIES FIXTURES_REQUIRED written_${program} FIXTURES_SETUP read_${program})
+    set_tests_properties("${kind}: ${program} --config, unchanged" PROPERTIES FIXTURES_REQUIRED read_${program})
+  endforeach()
+  cca_test_lists(${kind} ${ARGN})
+endfunction()
+function(cca_test_lists kind)  # of programs without --config
+  foreach(program IN LISTS ARGN)
+    add_test(NAME "${kind}: ${program} --list" COMMAND ${program} --list)
+    set_tests_properties("${kind}: ${program} --list" PROPERTIES PASS_REGULAR_EXPRESSION "^output +space +unit +rate +numbers\n.+\n$")
+  endforeach()
+endfunction()
+
 # cca_label_programs(): the tests of this folder that are not checks of the sources run whole programs. Call it last.
 function(cca_label_programs)
   get_property(tests DIRECTORY PROPERTY TESTS)

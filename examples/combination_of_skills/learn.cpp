@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
@@ -120,6 +121,7 @@ void offer(cca::command_line& line, options& o) {
   line.text("--out FILE", o.out, "the learned shape (trot.shape)");
   line.number("--seconds S", o.seconds, 1, 19, "of trot that are recorded (8)");
   line.flag("--quiet", o.quiet, "prints nothing");
+  cca::offer_descriptions<cca::controller<teaching>>(line);
 }
 
 // The largest distance between the module's command and the recording, rad, after the start.

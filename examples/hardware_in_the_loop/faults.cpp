@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
@@ -128,6 +129,7 @@ int main(int count, char** words) {
   bool one_loop = false;
   cca::command_line line("the trot on virtual drives, and everything that can go wrong");
   line.flag("--one-loop", one_loop, "without the delays between gait and buses");
+  cca::offer_descriptions<cca::controller<limited<cca::delayed<1>>>>(line);
   line.words("[FILE [PAGE]]", files, 2,
              "writes the table as JSON, and replaces that of the page, docs/hardware.md");
   return cca::run_program(count, words, line, [&] { return run_campaign(one_loop, files); });

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
@@ -61,6 +62,7 @@ struct options {
     line.number("--seconds S", seconds, 3, 100, "of a run, simulated (8)");
     line.flag("--quick", quick, "a few short runs, to try the program");
     line.flag("--quiet", quiet, "no progress bar");
+    cca::offer_descriptions<cca::controller<walking::school>>(line);
   }
   int disturbances() const { return reviews + rounds * runs + generations; }
   void shorten() {

@@ -17,6 +17,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
@@ -46,6 +47,9 @@ void offer(cca::command_line& line, options& o) {
   line.number("--seconds S", o.seconds, 1, 86400, "on each ground, simulated (3600)");
   line.whole_number("--seed N", o.seed, 0, "the disturbances (0)");
   line.text("--summary FILE", o.summary, "falls, way and memory as one JSON array");
+  cca::offer_descriptions<trot::trotting>(line, [&o](trot::trotting& c) {
+    if (!o.config.empty()) cca::read_parameters(c, o.config);
+  });
 }
 
 // What the program has in memory now, MB.

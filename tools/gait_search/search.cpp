@@ -18,6 +18,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
@@ -131,6 +132,9 @@ void offer(cca::command_line& line, options& o) {
   line.number("--population N", o.population, 4, 1e4, "gaits per generation (12)");
   line.number("--seconds S", o.seconds, 3, 1000, "of each run, simulated (7)");
   line.whole_number("--seed N", o.seed, 0, "of the search (1)");
+  cca::offer_descriptions<trot::trotting>(line, [&o](trot::trotting& c) {
+    if (!o.config.empty()) cca::read_parameters(c, o.config);
+  });
 }
 
 int search(const options& o) {

@@ -13,6 +13,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
@@ -43,6 +44,9 @@ void offer(cca::command_line& line, options& o) {
   line.text("--summary FILE", o.summary,
             "falls, speed, drift, slip and duty, of all and of each, as one JSON object");
   line.flag("--bounds", o.bounds, "ends with 1 if a run falls, is slow, slips, or stands too long or short");
+  cca::offer_descriptions<trot::trotting>(line, [&o](trot::trotting& c) {
+    if (!o.config.empty()) cca::read_parameters(c, o.config);
+  });
 }
 
 int run(const options& o) {
