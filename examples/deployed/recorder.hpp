@@ -31,7 +31,7 @@ public:
     digests.clear();
   }
 
-  void note(const cca::observe<"*", cca::delayed<1>>& all) {
+  void note(const cca::observe<"**.*", cca::delayed<1>>& all) {
     if (all.size() > most_outputs || digests.size() + all.size() > digests.capacity()) return;
     if (names.empty())
       for (const cca::observation& one : all) names.push_back(one.path);
@@ -84,7 +84,7 @@ private:
 
 // The component. What it hears in a beat was published in the beat before.
 struct recorder {
-  void process(cca::observe<"*", cca::delayed<1>> all) { seen.note(all); }
+  void process(cca::observe<"**.*", cca::delayed<1>> all) { seen.note(all); }
   void on_start() { seen.forget(); }
 
   record seen;

@@ -1,7 +1,8 @@
 // The laws of an Adaptive Component, stated once and run for each kind.
 //
 // A case is a graph with the component as node "skill", its feedback from the node "robot", and an item
-// `observe<"skill.*">`. Within `Case::beats` beats it takes each status of `Case::expected()`, and no other.
+// `observe<"skill.**.*">`. Within `Case::beats` beats it takes each status of `Case::expected()`, and no
+// other.
 #pragma once
 
 #include <cstring>

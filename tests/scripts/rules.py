@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-FAMILIES = ("space wire node graph rate queue strategy component parameters robot frame transform mapping body skeleton learner "
+FAMILIES = ("space observe plan wire node graph rate queue strategy component parameters robot frame transform mapping body skeleton learner "
             "criterion latency remote deployment modes part bus drive quantity beat recording compiler").split()
 LITERAL = re.compile(r'"((?:%s)\.[a-z_]+)[":]' % "|".join(FAMILIES))
 

@@ -50,7 +50,7 @@ struct listens : cca::graph<ms1,
 
 TEST_SUITE("semantics by hand: listening to a scope") {
   TEST_CASE("every output under the scope, by its path, as a wire without a policy would show it") {
-    const auto c = after<listens<cca::observe<"in.*">, cca::timed<1>>>(3);
+    const auto c = after<listens<cca::observe<"in.**">, cca::timed<1>>>(3);
     const std::vector<std::vector<heard>> expected{{{"in.a.y", 0, 0, true}, {"in.b.y", 0, never, false}},
                                                    {{"in.a.y", 0, 0, false}, {"in.b.y", 1, ms, true}},
                                                    {{"in.a.y", 2, 2 * ms, true}, {"in.b.y", 1, ms, false}}};
@@ -58,7 +58,7 @@ TEST_SUITE("semantics by hand: listening to a scope") {
   }
 
   TEST_CASE("a delay is that of a wire") {
-    const auto c = after<listens<cca::observe<"in.*", cca::delayed<1>>, cca::timed<1>>>(3);
+    const auto c = after<listens<cca::observe<"in.**", cca::delayed<1>>, cca::timed<1>>>(3);
     const std::vector<std::vector<heard>> expected{{{"in.a.y", 0, never, false}, {"in.b.y", 0, never, false}},
                                                    {{"in.a.y", 0, 0, true}, {"in.b.y", 0, never, false}},
                                                    {{"in.a.y", 0, 0, false}, {"in.b.y", 1, ms, true}}};
@@ -79,8 +79,8 @@ TEST_SUITE("semantics by hand: listening to a scope") {
 
   TEST_CASE("it is an input: fresh if anything under the scope is, and it counts for the origin") {
     const seen_inputs expected{{0, 0, 0, true}, {1, 1, 0, true}, {2, 3, ms, true}, {4, 8, 4 * ms, true}};
-    CHECK(after<listens<cca::observe<"in.*">, cca::restless>>(6).get<"r">().log == expected);
-    CHECK(after<listens<cca::observe<"in.*">, cca::moderate>>(6).get<"r">().log == expected);
+    CHECK(after<listens<cca::observe<"in.**">, cca::restless>>(6).get<"r">().log == expected);
+    CHECK(after<listens<cca::observe<"in.**">, cca::moderate>>(6).get<"r">().log == expected);
   }
 }
 

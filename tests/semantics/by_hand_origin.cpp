@@ -13,7 +13,7 @@ struct sensor {
 };
 
 struct ear {
-  auto process(cca::in<"x", value> x, cca::observe<"s.*", cca::delayed<1>>) -> cca::out<"y", value> {
+  auto process(cca::in<"x", value> x, cca::observe<"s.**", cca::delayed<1>>) -> cca::out<"y", value> {
     return x[axis{}];
   }
 };

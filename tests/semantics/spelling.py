@@ -118,7 +118,7 @@ def function_cpp(node, function):
     inputs, outputs = ([port.cpp() for port in ports] for ports in node.ports[function])
     if node.hears:
         delay = f", cca::delayed<{node.hears_policy[1]}>" if node.hears_policy[0] == "delayed" else ""
-        inputs.append(f'cca::observe<"{node.hears[0]}.*"{delay}>')
+        inputs.append(f'cca::observe<"{node.hears[0]}.**.*"{delay}>')
     if node.fault_function == function:
         outputs.insert(0 if node.fault_first else len(outputs), "cca::fault")
     return f"reads<{', '.join(inputs)}>, tells<{', '.join(outputs)}>"

@@ -177,7 +177,7 @@ bool graphs() {
 
 // [[observing]]
 struct watcher {
-  auto process(cca::observe<"*"> all, cca::beat) -> cca::out<"count", signal> {
+  auto process(cca::observe<"**"> all, cca::beat) -> cca::out<"count", signal> {
     return static_cast<double>(all.size());
   }
 };
@@ -185,7 +185,7 @@ struct watched : khz<cca::node<"a", source<>>,
                      cca::node<"b", step<>>,
                      cca::node<"w", watcher>,
                      cca::wire<"a.y", "b.x">> {};
-struct alone : khz<cca::node<"w", watcher, cca::timed<1>>> {};
+struct alone : khz<cca::node<"w", watcher, cca::timed<1>>, cca::node<"a", source<>>> {};
 
 // [[strategies]]
 struct every_third {

@@ -109,7 +109,7 @@ static_assert(tells<hears<>, hears<cca::delayed<2>>>(
      "delay, or place both in one environment"}));
 
 // `cca::observe` as an item of a graph is for `observed`, between two beats: it needs no delay.
-struct watched : cca::deployment<khz<cca::node<"a", source<>>, cca::node<"b", source<>>, cca::observe<"*">>,
+struct watched : cca::deployment<khz<cca::node<"a", source<>>, cca::node<"b", source<>>, cca::observe<"**">>,
                                  some<"one", "a">,
                                  rest<"two">> {};
 static_assert(cca::well_formed<watched>);

@@ -577,13 +577,4 @@ static_assert(cca::diagnosis<merged_commands<"c.y">>.rule == std::string_view("r
 static_assert(cca::diagnosis<merged_commands<"c.y">>.where == std::string_view("c.y -> r.command"));
 static_assert(cca::well_formed<merged_commands<"l.safe">>);
 
-struct hears_nothing
-    : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"c.*">> {};
-struct hears_nothing_mended
-    : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"a.*">> {};
-static_assert(tells<hears_nothing, hears_nothing_mended>(
-    {"wire.unknown_port", "c.*",
-     "cca::observe<`c.*`> in hears_nothing matches no output: write the path from the nodes of this graph "
-     "on, as in `node.port` or `node.*`"}));
-
 }  // namespace

@@ -235,7 +235,7 @@ struct skilled : cca::graph<cca::rate<1000>,
                             cca::node<"skill", constant_skill<What>>,
                             cca::wire<"wish.y", "skill.reference">,
                             cca::wire<"wish.y", "skill.same">,
-                            cca::observe<"skill.*">> {};
+                            cca::observe<"skill.**.*">> {};
 template <kind What>
 struct skill_case {
   using graph = skilled<What>;

@@ -16,17 +16,18 @@
 // beats of the running step, it goes to that step instead. `held_for<N>`: the condition must hold for N
 // consecutive beats.
 //
-// Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value> (never hold for an
-// unknown path), after<N> beats of the running step, all<C...>, any<C...>, no<C>. A step without a condition
-// starts at once. Your own condition is a struct with a template `bool holds(const Heard&)`; `heard.template
-// value<"path">()` is the observed value. The compiler checks that names are unique and that each named step
-// exists.
+// Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value>, after<N> beats of the
+// running step, all<C...>, any<C...>, no<C>. A step without a condition starts at once. Your own condition is
+// a struct with a template `bool holds(const Heard&)`; `heard.template value<"path">()` is the observed
+// value. A path is looked up in the graph of the component, then in the graphs around it. The compiler checks
+// that names are unique, that each named step exists, and, if the component says so, that each path is
+// published (`static constexpr auto asked_paths = plan::asked_paths;`).
 //
 // An observed NaN fulfils neither `is`, `below` nor `above`, so it fulfils `no` of them, and `held_for`
 // begins again; timeouts and `after` go on. Infinity compares like a number. Neither is kept.
 //
-// Errors: none in a beat; `unheard()` tells of unknown paths. Cost: each path is searched once; then one
-// comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.
+// Errors: none in a beat; `unheard()` tells of unknown paths. plan.unknown_path. Cost: each path is searched
+// once; then one comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.
 #pragma once
 
 #include <array>
@@ -59,9 +60,11 @@ public:
         Plan::well_named(),
         "cca::steps: two steps have the same name, or then<...>, then_one_of<...> or or_after<...> names "
         "an unknown step");
-    if (began < 0) began = now.index();
-    const std::array<std::span<const observation>, sizeof...(Told)> scopes{
-        std::span<const observation>(told.begin(), told.end())...};
+    const std::array<told_scope, sizeof...(Told)> scopes{scope_of(told)...};
+    if (began < 0) {
+      began = now.index();
+      ask_all(scopes);
+    }
     const heard all{*this, scopes, now.index() - began};
     if constexpr (Plan::has_choices) return update_among(now, all, choose);
     const int next = following();
@@ -81,11 +84,19 @@ public:
   std::int64_t beats(beat now) const { return began < 0 ? 0 : now.index() - began; }  // since the step began
   bool timed_out() const { return by_timeout; }  // the running step began by a timeout
   bool finished() const { return Plan::next_of[static_cast<std::size_t>(current)].count == 0; }
-  // A condition names a path that is not observed; known after its first evaluation.
+  // A condition asks for a path that is not observed.
   bool unheard() const { return missing; }
 
 private:
-  using scopes_told = std::span<const std::span<const observation>>;
+  using told_scope = observe<"">;
+  using scopes_told = std::span<const told_scope>;
+  // An `observe`, or observations of your own.
+  template <class Told>
+  static told_scope scope_of(const Told& told) {
+    const std::span<const observation> all(told.begin(), told.end());
+    if constexpr (requires { told.stands_in(); }) return {all.data(), all.size(), told.stands_in()};
+    else return {all.data(), all.size()};
+  }
   struct heard {
     sequence& of;
     scopes_told told;
@@ -96,8 +107,7 @@ private:
     double value() const {
       const place at = of.find(Path.view(), told);
       return at.scope < 0 ? std::numeric_limits<double>::quiet_NaN()
-                          : told[static_cast<std::size_t>(at.scope)][static_cast<std::size_t>(at.position)]
-                                .values[Axis];
+                          : told[static_cast<std::size_t>(at.scope)].begin()[at.position].values[Axis];
     }
   };
 
@@ -116,12 +126,18 @@ private:
   }
   [[gnu::noinline]] place look_for(std::string_view path, scopes_told told) {
     place found{path.data()};
-    for (std::size_t scope = 0; scope < told.size(); ++scope)
-      for (std::size_t i = 0; i < told[scope].size(); ++i)
-        if (told[scope][i].path == path) found = {path.data(), static_cast<int>(scope), static_cast<int>(i)};
+    for (std::size_t scope = 0; scope < told.size() && found.scope < 0; ++scope)
+      if (const observation* one = told[scope].find(path))
+        found = {path.data(), static_cast<int>(scope), static_cast<int>(one - told[scope].begin())};
     missing |= found.scope < 0;
     known[static_cast<std::size_t>(next_known++ % places)] = found;
     return found;
+  }
+
+  // When it begins: so a path that nobody publishes is known at once, and not when its step comes.
+  [[gnu::noinline]] void ask_all(scopes_told told) {
+    const heard all{*this, told, 0};
+    for (int i = 0; i < Plan::count; ++i) (void)Plan::holds(i, all);
   }
 
   // Whether the condition of a step has held long enough. `at`: which of those that may follow it is.

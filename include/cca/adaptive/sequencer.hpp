@@ -3,13 +3,16 @@
 //
 //   cca::node<"sequencer", cca::sequencer<"*.status.*", plan>, cca::timed<10>>
 //
-//   observes the scope    and for `*.status.*` also `*.status`; delayed by one beat, because the skills wait
-//                         for the sequencer in turn
+//   observes the scope    and for `*.status.*` also `*.status`, both in one graph: its own, or the nearest
+//                         around it; delayed by one beat, because the skills wait for the sequencer in turn
 //   out "step"        step_port              the number of the running step, `plan::at<"reach">`
 //   out "running"     step_time              s since the step began
 //   out "timed_out"   step_flag              1 if the step began by a timeout
 //   out "status"      component_status_port  reached in the last step, converging before
-//   fault             if a condition names a path without a publisher
+//   fault             if a condition of your own asks for a path without a publisher and does not say so
+//
+// Paths in conditions are looked up as patterns are: in the graph of the sequencer, then in those around it.
+// Errors: observe.nothing; plan.unknown_path, if nobody publishes such a path under the scope.
 //
 // While an observed number is NaN, conditions hold as sequence.hpp says; all outputs stay finite, "status" is
 // `converging` or `reached` as before, and there is no fault.
@@ -37,28 +40,35 @@ struct step_flag : space<status, axes<timed_out_axis>> {};
 
 namespace detail {
 
-// "*.status" for "*.status.*".
-template <std::size_t Size>
-consteval auto without_star(const fixed_string<Size>& scope) {
-  char text[Size - 2]{};
-  for (std::size_t i = 0; i + 3 < Size; ++i) text[i] = scope.text[i];
-  return fixed_string<Size - 2>(text);
+// "*.status.*|*.status" for "*.status.*": a component that publishes its status itself has no node for it.
+template <fixed_string Scope>
+consteval auto with_components() {
+  constexpr std::size_t size = Scope.view().size();
+  if constexpr (!Scope.view().ends_with(".*")) {
+    return Scope;
+  } else {
+    char text[2 * size]{};
+    for (std::size_t i = 0; i < size; ++i) text[i] = Scope.text[i];
+    text[size] = '|';
+    for (std::size_t i = 0; i + 2 < size; ++i) text[size + 1 + i] = Scope.text[i];
+    return fixed_string<2 * size>(text);
+  }
 }
 
 }  // namespace detail
 
 template <fixed_string Scope, class Plan, class Policy = delayed<1>>
 struct sequencer {
+  static constexpr auto asked_paths = Plan::asked_paths;
   sequence<Plan> steps;
 
-  auto process(observe<Scope, Policy> told,
-               observe<detail::without_star(Scope), Policy> told_by_components,
-               beat now) -> std::tuple<out<"step", step_port>,
-                                       out<"running", step_time>,
-                                       out<"timed_out", step_flag>,
-                                       out<"status", component_status_port>,
-                                       fault> {
-    steps.update(now, told, told_by_components);
+  auto process(observe<detail::with_components<Scope>(), Policy> told, beat now)
+      -> std::tuple<out<"step", step_port>,
+                    out<"running", step_time>,
+                    out<"timed_out", step_flag>,
+                    out<"status", component_status_port>,
+                    fault> {
+    steps.update(now, told);
     const std::int64_t period = now.index() > 0 ? now.time() / now.index() : 0;
     return {steps.step(), 1e-9 * static_cast<double>(steps.beats(now) * period), steps.timed_out() ? 1 : 0,
             status_of(steps.finished() ? component_status::reached : component_status::converging),

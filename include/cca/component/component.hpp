@@ -57,6 +57,8 @@ struct component_info {
   bool forgot_parameters = false;             // has a struct `parameters` but no member `p`
   bool also_sense = false, also_act = false;  // as well as `process`
   bool is_const = false;
+  const asked_path* asked_paths = nullptr;  // of what it observes
+  int asked_path_count = 0;
   std::string_view wrong_arity{};  // of a skeleton whose parts don't fit together: the rest of the message
   bool limits_commands = false;    // a limiter: its output may reach an actuator
   bool preserves_limits = false;   // a splitter, a collector: outputs keep the limits of the inputs
@@ -93,6 +95,10 @@ inline constexpr component_info component_of = [] {
   info.bad_field = bad_field_of<Type>.name;
   info.bad_field_type = bad_field_of<Type>.type;
   info.forgot_parameters = bad_field_of<Type>.forgot_parameters;
+  if constexpr (requires { Type::asked_paths.size(); }) {
+    info.asked_paths = Type::asked_paths.data();
+    info.asked_path_count = static_cast<int>(Type::asked_paths.size());
+  }
   if constexpr (requires { Type::wrong_arity; }) info.wrong_arity = Type::wrong_arity;
   if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
   if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;

@@ -7,11 +7,11 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <string_view>
 #include <type_traits>
 
 #include <cca/base/copy_block.hpp>
+#include <cca/component/ports/observation.hpp>
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/methods/arithmetic.hpp>
 #include <cca/space/sample.hpp>
@@ -251,43 +251,6 @@ public:
 
 private:
   bool published = false;
-};
-
-struct latest;  // the default policy of a wire, in graph/graph.hpp
-
-// As the policy of an `observe`: its path names one output, which must exist. It is looked for in the graph
-// of the component, then in the graphs around it. Without it a path may match nothing.
-struct one_output;
-
-// One of the samples under a scope that an `observe` listens to.
-struct observation {
-  std::string_view path;           // "dmp.status.component"
-  std::span<const double> values;  // coordinates in the order of the axes
-  std::int64_t origin;             // `never`: nothing has been published yet
-  bool fresh;
-};
-
-// An input that listens to a scope, whatever its ports' spaces: `observe<"dmp.status.*">`, with a wire's
-// policy where the scope is fed by this component: `observe<"dmp.status.*", cca::delayed<1>>`.
-template <fixed_string Scope, class Policy = latest>
-class observe {
-public:
-  static constexpr std::string_view name = Scope.view();
-
-  constexpr observe(const observation* all, std::size_t all_count) : first(all), count(all_count) {}
-
-  constexpr const observation* begin() const { return first; }
-  constexpr const observation* end() const { return first + count; }
-  constexpr std::size_t size() const { return count; }
-  constexpr bool fresh() const {
-    for (const auto& one : *this)
-      if (one.fresh) return true;
-    return false;
-  }
-
-private:
-  const observation* first;
-  std::size_t count;
 };
 
 }  // namespace cca

@@ -22,12 +22,14 @@ namespace cca::detail {
 template <class...>
 struct list {};
 
+struct item_info;
+
 struct port_info {
   std::string_view name{};
   ref<space_info> space = nullptr;  // none for an observer, which reads any space
-  bool optional = false;            // an observer that is not must hear one output
+  bool optional = false;
   bool maybe = false;
-  int observed_delay = 0;
+  const item_info& (*policy)() = nullptr;  // of an observer, as on a wire
 };
 
 // What a parameter of the function is.
@@ -54,14 +56,14 @@ struct parameter_facts<optional_in<Name, Space>> {
   static constexpr port_info port{Name.view(), &space_of<checked_space<Space>>, true};
 };
 
-template <class Policy>
-constexpr int delay_of_policy = 0;
+// The policies of an observer as those of a wire. What they are is said with the items of a graph.
+template <class... Policies>
+constexpr const item_info& observer_policy();
 
-template <fixed_string Scope, class Policy>
-struct parameter_facts<observe<Scope, Policy>> {
+template <fixed_string Scope, class... Policies>
+struct parameter_facts<observe<Scope, Policies...>> {
   static constexpr auto kind = parameter_kind::input;
-  static constexpr port_info port{Scope.view(), nullptr, !std::is_same_v<Policy, one_output>, false,
-                                  delay_of_policy<Policy>};
+  static constexpr port_info port{Scope.view(), nullptr, true, false, &observer_policy<Policies...>};
 };
 
 // A parameter may be taken by value or by reference to const.

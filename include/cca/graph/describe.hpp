@@ -29,7 +29,7 @@ public:
   String mermaid() {
     text = "flowchart LR\n";
     add_boxes(false);
-    for (int i = 0; i < g.input_count; ++i)
+    for (int i = 0; i < g.first_link; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
         text += "  " + id(node_of_output(in.writer)) + (in.delay > 0 ? " -. \"" : " -- \"") +
                 label(in, "<br/>") + (in.delay > 0 ? "\" .-> " : "\" --> ") + id(g.calls[in.call].node) +
@@ -42,7 +42,7 @@ public:
            "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
            "  edge [fontname=\"sans-serif\", fontsize=10];\n";
     add_boxes(true);
-    for (int i = 0; i < g.input_count; ++i)
+    for (int i = 0; i < g.first_link; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
         text += "  " + id(node_of_output(in.writer)) + " -> " + id(g.calls[in.call].node) + " [label=\"" +
                 label(in, "\\n") + "\"" + (in.delay > 0 ? ", style=dashed" : "") + "];\n";

@@ -76,8 +76,5 @@ namespace detail {
 // that of the skeleton around it.
 enum class wires_of : std::uint8_t { nobody, this_one, the_one_around };
 
-template <int Beats>
-constexpr int delay_of_policy<delayed<Beats>> = Beats;
-
 }  // namespace detail
 }  // namespace cca

@@ -27,6 +27,8 @@ struct probed : Graph {};
 template <class Graph>
 inline constexpr graph_sizes graph_size<probed<Graph>> = graph_size<Graph>;
 template <class Graph>
+inline constexpr int link_count_of<probed<Graph>> = link_count_of<Graph>;
+template <class Graph>
 inline constexpr int calls_in_part<probed<Graph>> = calls_in_part<Graph>;
 template <class Graph>
 inline constexpr flat_of<Graph> plan_of<probed<Graph>> = plan_of<Graph>;

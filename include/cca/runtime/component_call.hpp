@@ -192,6 +192,7 @@ private:
 
   CCA_INLINE void take_from_queues() const {
     if constexpr (has_queue<Graph>(c)) (reader<Position>::take(b, source(Position)), ...);
+    if constexpr (has_observers(c)) take_heard<Graph, Call>(b);
   }
 
   // Where the readers of this beat find the result; if there are none, in a variable of this call.

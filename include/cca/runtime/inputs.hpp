@@ -26,7 +26,7 @@ inline constexpr equal_coordinates<Graph, Input> repeated_initial{};
 template <class Graph, int Input>
 constexpr const double* initial_of_input() {
   constexpr const auto& wire = input_of<Graph, Input>.initial;
-  if constexpr (!wire || !wire->initial) return input_port_of<Graph, Input>.space->zero;
+  if constexpr (!wire || !wire->initial) return space_of_input<Graph, Input>.zero;
   else if constexpr (wire->initial_count == size_of_input<Graph, Input>) return wire->initial;
   else return repeated_initial<Graph, Input>.all;
 }

@@ -1,7 +1,12 @@
-// Listening to a scope: the samples of all outputs under it, as an array of observations.
+// Observing: what a pattern names, as an array of observations. A component reads each of them by an input of
+// its own (graph/plan/steps/listen.hpp), so each is stored, late and fresh as over a wire.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include <cca/base/inlining.hpp>
+#include <cca/graph/plan/patterns.hpp>
 #include <cca/runtime/inputs.hpp>
 
 namespace cca::detail {
@@ -12,43 +17,55 @@ constexpr bool has_observers(const call& t) {
   return false;
 }
 
-// Calls f.template operator()<Link>() for each link of the observers of a call, or of one of them.
-template <class Graph, int Call, int OnlyInput, int Link, class F>
-CCA_INLINE void if_observed(F& f) {
-  constexpr int input = plan_of<Graph>.links[Link].input;
-  if constexpr (input_of<Graph, input>.call == Call && (OnlyInput < 0 || OnlyInput == input)) {
-    CCA_INLINE_CALL f.template operator()<Link>();
-  }
+// The links of an observer, or of all observers of a call: they stand side by side.
+struct link_range {
+  int first = 0, count = 0;
+};
+template <class Graph>
+constexpr link_range links_where(auto is_wanted) {
+  link_range range;
+  for (int l = 0; l < counts_of<Graph>.link_count; ++l)
+    if (is_wanted(plan_of<Graph>.links[static_cast<std::size_t>(l)].observer) && range.count++ == 0)
+      range.first = l;
+  return range;
 }
-template <class Graph, int Call, int OnlyInput, class F, int... Link>
-CCA_INLINE void for_each_link([[maybe_unused]] F& f, std::integer_sequence<int, Link...>) {
-  (if_observed<Graph, Call, OnlyInput, Link>(f), ...);
+template <class Graph, int Call>
+inline constexpr link_range links_of_call =
+    links_where<Graph>([](int i) { return plan_of<Graph>.inputs[static_cast<std::size_t>(i)].call == Call; });
+template <class Graph, int Observer>
+inline constexpr link_range links_of_observer = links_where<Graph>([](int i) { return i == Observer; });
+
+// Calls f.template operator()<Link>() for each link of a range.
+template <int Link, class F>
+CCA_INLINE void call_for_link(F& f) {
+  CCA_INLINE_CALL f.template operator()<Link>();
 }
-template <class Graph, int Call, int OnlyInput = -1, class F>
+template <int First, class F, int... Number>
+CCA_INLINE void for_each_link([[maybe_unused]] F& f, std::integer_sequence<int, Number...>) {
+  (call_for_link<First + Number>(f), ...);
+}
+template <class Graph, int Call, class F>
 CCA_INLINE void for_each_observed(F f) {
-  if constexpr (has_observers(call_of<Graph, Call>))
-    for_each_link<Graph, Call, OnlyInput>(f, std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
+  constexpr link_range range = links_of_call<Graph, Call>;
+  for_each_link<range.first>(f, std::make_integer_sequence<int, range.count>{});
 }
 
-// What an observer hears of one output. What a wire gives as an initial value is its reader's alone: an
-// observer sees the space's zero.
+// One link, as its observer reads it.
 template <class Graph, int Link>
-struct observed_output {
-  static constexpr int output = plan_of<Graph>.links[Link].output;
-  static constexpr const auto& in = input_of<Graph, plan_of<Graph>.links[Link].input>;
-  static constexpr int delay = call_of<Graph, in.call>.function->inputs[in.port].observed_delay;
-  static constexpr place at = layout_of<Graph>.outputs[output];
+struct observed_sample {
+  static constexpr int input = counts_of<Graph>.first_link + Link;
+  using reader = input_reader<Graph, input>;
+  static constexpr int index = layout_of<Graph>.sources[input].index;
+  static constexpr const space_info& space = space_of_input<Graph, input>;
 
-  CCA_INLINE static const auto* shown(const beat_context<Graph>& b) {
-    const auto* sample = b.template at<at.array>(at.index).show(b.k, delay);
-    return sample && sample->origin() != never ? sample : nullptr;
+  CCA_INLINE static const double* values(const beat_context<Graph>& b) {
+    const auto* sample = reader::shown(b, index);
+    if constexpr (reader::is_never_null) return sample->vector().data();
+    else return sample ? sample->vector().data() : initial_of_input<Graph, input>();
   }
-  CCA_INLINE static std::int64_t arrived(const beat_context<Graph>& b) {
-    return b.template at<at.array>(at.index).arrived(b.k, delay);
-  }
-  CCA_INLINE static std::int64_t origin(const beat_context<Graph>& b) {
-    const auto* sample = shown(b);
-    return sample ? sample->origin() : never;
+  CCA_INLINE static std::int64_t origin(const beat_context<Graph>& b) { return reader::origin(b, index); }
+  CCA_INLINE static bool is_fresh(const beat_context<Graph>& b, std::int64_t last) {
+    return reader::is_fresh(b, index, last);
   }
 };
 
@@ -56,120 +73,108 @@ struct observed_output {
 template <class Graph, int Call>
 CCA_INLINE std::int64_t oldest_heard(const beat_context<Graph>& b, std::int64_t oldest) {
   for_each_observed<Graph, Call>([&]<int Link>() {
-    if constexpr (plan_of<Graph>.links[Link].counts)
-      oldest = older(oldest, observed_output<Graph, Link>::origin(b));
+    using from = observed_sample<Graph, Link>;
+    if constexpr (from::reader::counts) oldest = older(oldest, from::origin(b));
   });
   return oldest;
+}
+
+// After the component has seen them.
+template <class Graph, int Call>
+CCA_INLINE void take_heard(const beat_context<Graph>& b) {
+  for_each_observed<Graph, Call>([&]<int Link>() {
+    using from = observed_sample<Graph, Link>;
+    if constexpr (is_queued(input_of<Graph, from::input>)) from::reader::take(b, from::index);
+  });
 }
 
 struct written_path {
   char letters[256]{};
   std::size_t size = 0;
+
+  constexpr std::string_view view() const { return {letters, size}; }
 };
 
-// The path of an output from the outermost graph, as static text.
-template <class Graph, int Output>
-inline constexpr auto output_path = [] {
-  written_path path;
-  std::array<std::string_view, 32> parts{};
-  std::size_t count = 0;
-  constexpr const auto& o = output_of<Graph, Output>;
-  constexpr const auto& t = call_of<Graph, o.call>;
-  constexpr const auto& node = plan_of<Graph>.nodes[t.node];
-  const auto* scopes = plan_of<Graph>.scopes.data();
-  parts[count++] = t.function->outputs[o.port].name;
-  parts[count++] = node.item->from;
-  for (int s = node.scope; scopes[s].item; s = scopes[s].parent) parts[count++] = scopes[s].item->from;
-  while (count-- > 0) {
-    for (const char c : parts[count]) path.letters[path.size++] = c;
-    if (count > 0) path.letters[path.size++] = '.';
-  }
-  return path;
+// A path as static text.
+constexpr written_path written(const text& path) {
+  written_path copy;
+  for (; copy.size < path.size && copy.size < sizeof(copy.letters); ++copy.size)
+    copy.letters[copy.size] = path.letters[copy.size];
+  return copy;
+}
+
+// The path of a port from the outermost graph, by its own name or as a graph exposes it.
+template <class Graph, class Port>
+constexpr written_path path_of_port(const Port& port, ref<item_info> as) {
+  auto plan = plan_of<Graph>;
+  const flat_view g = plan.view();
+  text path;
+  add_path(path, path_from(g, name_as(g, port, as), 0));
+  return written(path);
+}
+template <class Graph, int Link>
+inline constexpr written_path path_of_link = [] {
+  constexpr const link& heard = plan_of<Graph>.links[Link];
+  if constexpr (heard.input < 0) return path_of_port<Graph>(output_of<Graph, heard.output>, heard.heard_as);
+  else return path_of_port<Graph>(input_of<Graph, heard.input>, heard.heard_as);
+}();
+template <class Graph, int Scope>
+inline constexpr written_path path_of_scope = [] {
+  auto plan = plan_of<Graph>;
+  text path;
+  add_scope_path(path, plan.view(), Scope);
+  if (path.size > 0) --path.size;  // a dot
+  return written(path);
 }();
 
-template <class Graph, int Output>
-constexpr std::string_view path_of_output() {
-  return {output_path<Graph, Output>.letters, output_path<Graph, Output>.size};
-}
-
-template <class Graph>
-struct is_watched {
-  static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; }
-};
-
-// Calls f(observation) with the newest sample of an output, between two beats; k is the next.
-template <class Graph, int Output, class F>
-void observe_newest(const controller_state<Graph>& state, std::int64_t k, F& f) {
-  constexpr place at = layout_of<Graph>.outputs[Output];
-  const auto& stored = sample_in<Graph, at.array>(state, at.index);
-  const auto* sample = stored.show(k - 1, 0);
-  const double* values = sample ? sample->vector().data() : output_port_of<Graph, Output>.space->zero;
-  f(observation{path_of_output<Graph, Output>(),
-                {values, static_cast<std::size_t>(size_of_output<Graph, Output>)},
-                sample ? sample->origin() : never,
-                k > 0 && stored.arrived(k - 1, 0) == k - 1});
-}
-
-// All outputs that an `observe` among the items of a graph names.
-template <class Graph, class F>
-void observe_all(const controller_state<Graph>& state, std::int64_t k, F& f) {
-  [&]<int... Output>(std::integer_sequence<int, Output...>) {
-    const int all[] = {0, (observe_newest<Graph, Output>(state, k, f), 0)...};
-    (void)all;
-  }(chosen<counts_of<Graph>.output_count, is_watched<Graph>>{});
-}
-
-// What one observer hears. The entries point into the values, so it is filled where it stays.
-template <class Graph, int Input>
+// What one observer hears. It is filled where it stays: the observations point into it.
+template <class Graph, int Observer>
 class observations {
-  // Coordinates of all samples, and their number.
-  static constexpr auto sizes = [] {
-    std::pair<std::size_t, std::size_t> total{};
-    const auto* outputs = plan_of<Graph>.outputs.data();
-    const auto* calls = plan_of<Graph>.calls.data();
-    const auto* link = plan_of<Graph>.links.data();
-    for (int l = 0; l < counts_of<Graph>.link_count; ++l, ++link)
-      if (link->input == Input) {
-        const auto& o = outputs[link->output];
-        total.first += static_cast<std::size_t>(calls[o.call].function->outputs[o.port].space->size);
-        ++total.second;
-      }
-    return total;
+  static constexpr link_range range = links_of_observer<Graph, Observer>;
+  static constexpr int scope =
+      plan_of<Graph>.nodes[call_of<Graph, input_of<Graph, Observer>.call>.node].scope;
+
+  // Where the room for the sample of each link begins.
+  static constexpr auto rooms_at = [] {
+    std::array<std::size_t, array_size(range.count + 1)> begins{};
+    [&]<int... Number>(std::integer_sequence<int, Number...>) {
+      (void)((begins[array_size(Number + 1)] =
+                  begins[array_size(Number)] +
+                  room_of_sample(observed_sample<Graph, range.first + Number>::space.size)),
+             ...);
+    }(std::make_integer_sequence<int, range.count>{});
+    return begins;
   }();
 
 public:
   CCA_INLINE observations(const beat_context<Graph>& b, std::int64_t last) {
-    double* next = values.data();
-    for_each_observed<Graph, input_of<Graph, Input>.call, Input>([&]<int Link>() {
-      using from = observed_output<Graph, Link>;
-      constexpr auto size = static_cast<std::size_t>(size_of_output<Graph, from::output>);
-      const auto* sample = from::shown(b);
-      for (std::size_t c = 0; c < size; ++c)
-        next[c] = sample ? sample->vector()[static_cast<int>(c)]
-                         : output_port_of<Graph, from::output>.space->zero[static_cast<int>(c)];
-      entries[count++] = {path_of_output<Graph, from::output>(),
-                          {next, size},
-                          sample ? sample->origin() : never,
-                          from::arrived(b) > last};
-      next += size;
-    });
+    const auto hear = [&]<int Link>() {
+      using from = observed_sample<Graph, Link>;
+      constexpr std::size_t number = array_size(Link - range.first);
+      entries[number] = {path_of_link<Graph, Link>.view(),
+                         {from::values(b), array_size(from::space.size)},
+                         from::origin(b),
+                         from::is_fresh(b, last),
+                         &from::space,
+                         rooms + rooms_at[number]};
+    };
+    for_each_link<range.first>(hear, std::make_integer_sequence<int, range.count>{});
   }
   observations(const observations&) = delete;
   observations& operator=(const observations&) = delete;
 
-  template <fixed_string Scope, class Policy>
-  operator observe<Scope, Policy>() const {
-    return {entries.data(), count};
+  template <fixed_string Pattern, class... Policies>
+  operator observe<Pattern, Policies...>() const {
+    return {entries.data(), array_size(range.count), path_of_scope<Graph, scope>.view()};
   }
 
 private:
-  std::array<observation, sizes.second + 1> entries;
-  std::array<double, sizes.first + 1> values;
-  std::size_t count = 0;
+  std::array<observation, array_size(range.count + 1)> entries;
+  alignas(alignment_of_room) unsigned char rooms[rooms_at[array_size(range.count)] + 1];
 };
 
-template <class Graph, fixed_string Scope, class Policy, int Input>
-struct argument<Graph, observe<Scope, Policy>, Input> {
+template <class Graph, fixed_string Pattern, class... Policies, int Input>
+struct argument<Graph, observe<Pattern, Policies...>, Input> {
   template <class>
   CCA_INLINE static observations<Graph, Input> get(const beat_context<Graph>& b,
                                                    int,
@@ -178,5 +183,71 @@ struct argument<Graph, observe<Scope, Policy>, Input> {
     return {b, last};
   }
 };
+
+// ---- outside of the graph, between two beats ----
+
+template <class Graph>
+struct is_watched {
+  static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; }
+};
+template <class Graph>
+struct is_watched_input {
+  static constexpr bool holds(std::size_t i) { return plan_of<Graph>.inputs[i].watched; }
+};
+
+// Of each port and graph one text, whose address is its key (live/live_outputs.hpp).
+template <class Graph, int Output>
+inline constexpr written_path path_of_watched_output =
+    path_of_port<Graph>(output_of<Graph, Output>, output_of<Graph, Output>.watched_as);
+template <class Graph, int Input>
+inline constexpr written_path path_of_watched_input =
+    path_of_port<Graph>(input_of<Graph, Input>, input_of<Graph, Input>.watched_as);
+
+// Calls f(observation) with the newest sample of an output; k is the next beat.
+template <class Graph, int Output, class F>
+void observe_newest(const controller_state<Graph>& state, std::int64_t k, F& f) {
+  constexpr place at = layout_of<Graph>.outputs[Output];
+  constexpr const space_info& space = *output_port_of<Graph, Output>.space;
+  const auto& stored = sample_in<Graph, at.array>(state, at.index);
+  const auto* sample = stored.show(k - 1, 0);
+  alignas(alignment_of_room) unsigned char room[room_of_sample(space.size)];
+  f(observation{path_of_watched_output<Graph, Output>.view(),
+                {sample ? sample->vector().data() : space.zero, array_size(space.size)},
+                sample ? sample->origin() : never,
+                k > 0 && stored.arrived(k - 1, 0) == k - 1,
+                &space,
+                room});
+}
+
+// The same with what an input shows.
+template <class Graph, int Input, class F>
+void observe_shown(const controller_state<Graph>& state, std::int64_t k, F& f) {
+  constexpr place at = layout_of<Graph>.sources[Input];
+  constexpr const auto& in = input_of<Graph, Input>;
+  constexpr const space_info& space = space_of_input<Graph, Input>;
+  const auto& stored = sample_in<Graph, at.array>(state, at.index);
+  const auto* sample = stored.show(k - 1, in.delay);
+  if (in.own_initial && sample && sample->origin() == never) sample = nullptr;
+  alignas(alignment_of_room) unsigned char room[room_of_sample(space.size)];
+  f(observation{path_of_watched_input<Graph, Input>.view(),
+                {sample ? sample->vector().data() : initial_of_input<Graph, Input>(), array_size(space.size)},
+                sample ? sample->origin() : never,
+                k > 0 && stored.arrived(k - 1, in.delay) == k - 1,
+                &space,
+                room});
+}
+
+// All ports that an `observe` among the items of a graph names.
+template <class Graph, class F>
+void observe_all(const controller_state<Graph>& state, std::int64_t k, F& f) {
+  [&]<int... Output>(std::integer_sequence<int, Output...>) {
+    const int all[] = {0, (observe_newest<Graph, Output>(state, k, f), 0)...};
+    (void)all;
+  }(chosen<counts_of<Graph>.output_count, is_watched<Graph>>{});
+  [&]<int... Input>(std::integer_sequence<int, Input...>) {
+    const int all[] = {0, (observe_shown<Graph, Input>(state, k, f), 0)...};
+    (void)all;
+  }(chosen<counts_of<Graph>.first_link, is_watched_input<Graph>>{});
+}
 
 }  // namespace cca::detail

@@ -138,7 +138,7 @@ private:
     bool any = false;
     if constexpr (has_observers(call_of<Graph, Call>))
       for_each_observed<Graph, Call>(
-          [&]<int Link>() { any = any || observed_output<Graph, Link>::arrived(b) > self.last; });
+          [&]<int Link>() { any = any || observed_sample<Graph, Link>::is_fresh(b, self.last); });
     return any;
   }
 

@@ -21,6 +21,10 @@
 // EXPECT space_mismatch: space\.mismatch: `extra\.y` publishes hip_angle \(joint_angles over hip\) but `end\.x` expects signal \(number over x\): the domain types differ; put a
 // EXPECT learner_request: learner\.request: `extra\.y` may request of `pupil\.learn` what is not possible there: `learn` needs a learner that learns online, and this one learns in batches only
 // EXPECT wire_unconnected_input: wire\.unconnected_input: `extra\.b` is not connected: in wire_unconnected_input, wire an output of signal \(number over x\) to `extra\.b`, or expose it,
+// EXPECT observe_bad_policy: observe\.bad_policy: cca::observe<`n7\.y`> in observe_bad_policy has a policy, but the program reads the newest samples, between two beats: leave it out
+// EXPECT observe_nothing: observe\.nothing: `extra` \(listens_to<n7\.\*\.\*>\) observes `n7\.\*\.\*`, which names nothing in observe_nothing or in a graph around it, so it would hear nothing
+// EXPECT observe_queue: observe\.queue: `late` \(listens_to<extra\.\*\*, .*delayed<1>>\) observes `extra\.\*\*`, and so the input `extra\.x` later than it is read, but that has a queue
+// EXPECT plan_unknown_path: plan\.unknown_path: `extra` \(asks_for_path\) asks for `n7\.z`, which nobody publishes under what it observes \(`n7\.\*`\), so it would wait for ever; did you mean `n7\.y`
 // EXPECT rate_missing: rate\.missing: neither rate_missing nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph
 // EXPECT strategy_never_fires: strategy\.never_fires: `extra` \(listener\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
 // EXPECT graph_algebraic_loop: graph\.algebraic_loop: `p\.y` -> `q\.x`, `q\.y` -> `p\.x` are a loop without delay, so none of their components can come first; say where it may be a beat
@@ -57,6 +61,14 @@ struct hip_angle : cca::space<cca::joint_angles, cca::axes<hip>> {};
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
 struct angle_twice : cca::space<cca::joint_angles, cca::axes<hip, hip>> {};
 struct fast_signal : cca::space<cca::number, cca::axes<cca::x>, cca::rate<1000>> {};
+
+template <cca::fixed_string Pattern, class... Policies>
+struct listens_to {
+  void process(cca::observe<Pattern, Policies...>) {}
+};
+struct asks_for_path : listens_to<"n7.*"> {
+  static constexpr std::array asked_paths{cca::asked_path{"n7.z"}};
+};
 
 struct without_function {};
 struct takes_number {
@@ -139,6 +151,13 @@ struct wire_unknown_port : fifty_nodes_and<at_1000_hz,
                                            cca::node<"extra", merge>,
                                            cca::wire<"n7.y", "extra.a">,
                                            cca::wire<"n8.out", "extra.b">> {};
+struct observe_bad_policy : fifty_nodes_and<at_1000_hz, cca::observe<"n7.y", cca::delayed<1>>> {};
+struct observe_nothing : fifty_nodes_and<at_1000_hz, cca::node<"extra", listens_to<"n7.*.*">>> {};
+struct observe_queue : fifty_nodes_and<at_1000_hz,
+                                       cca::node<"extra", sink>,
+                                       cca::node<"late", listens_to<"extra.**", cca::delayed<1>>>,
+                                       cca::wire<"n7.y", "extra.x", cca::queue<4, cca::drop_oldest>>> {};
+struct plan_unknown_path : fifty_nodes_and<at_1000_hz, cca::node<"extra", asks_for_path>> {};
 struct wire_direction : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"extra.x", "n7.y">> {
 };
 struct wire_two_writers : fifty_nodes_and<at_1000_hz, cca::wire<"n7.y", "n23.x", cca::latest>> {};

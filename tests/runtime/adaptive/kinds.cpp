@@ -107,7 +107,7 @@ struct plain_bench : cca::graph<cca::rate<1000>,
                                 cca::wire<"script.reference", "skill.reference">,
                                 cca::wire<"skill.command", "robot.command">,
                                 cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
-                                cca::observe<"skill.*">> {};
+                                cca::observe<"skill.**.*">> {};
 template <class Skill>
 struct phase_bench : cca::graph<cca::rate<1000>,
                                 cca::node<"script", script>,
@@ -118,7 +118,7 @@ struct phase_bench : cca::graph<cca::rate<1000>,
                                 cca::wire<"script.amplitude", "skill.amplitude">,
                                 cca::wire<"skill.command", "robot.command">,
                                 cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
-                                cca::observe<"skill.*">> {};
+                                cca::observe<"skill.**.*">> {};
 
 using vite_names = cca::named<"target", "position", "status">;
 struct arm : cca::adaptive_component<cca::vite<leg>, cca::reaching_goal<leg>, vite_names> {};
@@ -416,7 +416,7 @@ struct generator_case {
                             cca::wire<"script.frequency", "skill.frequency">,
                             cca::wire<"skill.command", "robot.command">,
                             cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
-                            cca::observe<"skill.*">> {};
+                            cca::observe<"skill.**.*">> {};
   static constexpr int beats = 6000;
   static constexpr bool at_rest = false;
   static void prepare(cca::controller<graph>& c) {
@@ -502,7 +502,7 @@ struct held_swing : cca::graph<cca::rate<1000>,
                                cca::wire<"hands.phase", "swing.phase">,
                                cca::wire<"hands.frequency", "swing.frequency">,
                                cca::wire<"hands.feedback", "swing.feedback">,
-                               cca::observe<"swing.*">> {};
+                               cca::observe<"swing.**.*">> {};
 
 }  // namespace
 
@@ -588,7 +588,7 @@ struct school : cca::graph<cca::rate<1000>,
                            cca::wire<"demonstrator.amplitude", "skill.amplitude">,
                            cca::wire<"skill.command", "robot.command">,
                            cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
-                           cca::observe<"skill.module.*">> {};
+                           cca::observe<"skill.module.**.*">> {};
 
 // The largest error of the command against the demonstration over a turn, relative to the amplitude.
 template <class Learner>

@@ -88,10 +88,10 @@ struct by_hand {
   int step(int beats = 1) {
     for (int i = 0; i < beats; ++i, ++k) {
       const cca::observation one{"s.a", a, 0, true};
-      cca::observe<"s.*", cca::delayed<1>> told(&one, 1);
+      cca::observe<"s.*|s", cca::delayed<1>> told(&one, 1);
       cca::optional_in<"error", cca::criterion_error> off(Eigen::Matrix<double, 1, 1>(error), k, true);
       if (measured) off.set_wired();
-      (void)it.process(told, {nullptr, 0},
+      (void)it.process(told,
                        cca::in<"criterion", cca::criterion_port>(Eigen::Matrix<double, 1, 1>(state), k, true),
                        off, {}, motor_test::at(k));
     }
@@ -116,10 +116,9 @@ struct taught_sequencer {
   static constexpr auto numbers = laws::any_numbers;
   static auto fresh() { return std::make_unique<student>(); }
   static laws::told_of_request fire(student& s, double call, bool) {
-    const auto [step, running, timed_out, status, module, broken] =
-        s.process({nullptr, 0}, {nullptr, 0},
-                  cca::in<"criterion", cca::criterion_port>(Eigen::Matrix<double, 1, 1>(0), 0, true), {},
-                  laws::numbered_request(call), motor_test::at(0));
+    const auto [step, running, timed_out, status, module, broken] = s.process(
+        {nullptr, 0}, cca::in<"criterion", cca::criterion_port>(Eigen::Matrix<double, 1, 1>(0), 0, true), {},
+        laws::numbered_request(call), motor_test::at(0));
     return laws::told_of(module.vector());
   }
   static void teach(student& s) {

@@ -118,7 +118,16 @@ namespace {
 struct nothing {
   auto process(cca::beat) -> cca::out<"status", cca::ode_status_port> { return 0.0; }
 };
-struct misspelt : cca::steps<cca::step<"first">, cca::step<"second", cca::is<"nobody.status", 1>>> {};
+// A condition of one's own that does not say what it asks for: the compiler does not know.
+struct own_condition {
+  template <class Heard>
+  static bool holds(const Heard& heard) {
+    return heard.template value<"nobody.status">() > 0;
+  }
+};
+struct misspelt : cca::steps<cca::step<"first">,
+                             cca::step<"second", cca::after<1000>>,
+                             cca::step<"third", own_condition>> {};
 struct deaf : cca::graph<cca::rate<1000>,
                          cca::node<"somebody", nothing>,
                          cca::node<"sequencer", cca::sequencer<"*.status.*", misspelt>, cca::timed<1>>> {};
@@ -133,7 +142,7 @@ struct counting : cca::graph<cca::rate<1000>,
 
 }  // namespace
 
-TEST_CASE("a path that nobody publishes is a fault, not an endless wait") {
+TEST_CASE("a path that nobody publishes is a fault in the first beat, not one in the step that asks for it") {
   cca::controller<deaf> c;
   c.load();
   c.start();
@@ -153,6 +162,39 @@ TEST_CASE("beats count from the start of the step, and a condition must hold wit
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 100; ++k) c.step();
   CHECK(laws::allocations() == before);
+}
+
+namespace {
+
+// The sequencer and a skill of its own in an inner graph, other skills around it.
+struct led : cca::steps<cca::step<"wait">,
+                        cca::step<"act", cca::is<"arm.status.component", cca::component_status::reached>>> {};
+struct mind : cca::graph<cca::node<"sequencer", cca::sequencer<"*.status.*", led>, cca::timed<1>>,
+                         cca::expose<"sequencer.step", "step">> {};
+struct still {
+  auto process(cca::beat) -> cca::out<"angles", leg> { return Eigen::Vector2d(0.1, -0.8); }
+};
+struct led_from_inside : cca::graph<cca::rate<1000>,
+                                    cca::node<"mind", mind>,
+                                    cca::node<"target", still>,
+                                    cca::node<"arm", arm>,
+                                    cca::node<"robot", held_arm>,
+                                    cca::wire<"target.angles", "arm.reference">,
+                                    cca::wire<"arm.command", "robot.command">,
+                                    cca::wire<"robot.angles", "arm.feedback", cca::delayed<1>>> {};
+
+}  // namespace
+
+TEST_CASE("a sequencer in an inner graph hears the skills around it") {
+  cca::controller<led_from_inside> c;
+  c.get<"arm.criterion">().p.limits = {0.005, 0.01, cca::infinity, 0.0};
+  c.load();
+  c.start();
+  c.run(cca::for_beats<10>{});
+  CHECK(c.get<"mind.sequencer">().steps.in<"wait">());
+  c.run(cca::for_beats<4000>{});
+  CHECK(c.get<"mind.sequencer">().steps.in<"act">());
+  CHECK(c.state() == cca::state::started);
 }
 
 namespace {

@@ -33,7 +33,7 @@ struct last {
   double value = 0;
 };
 struct listener {
-  void process(cca::observe<"inner.*"> all) {
+  void process(cca::observe<"inner.**"> all) {
     for (const auto& one : all) sum += one.values[0];
   }
   double sum = 0;
@@ -70,7 +70,7 @@ struct all : cca::graph<cca::rate<1000>,
                         cca::wire<"watchdog.fresh", "limits.command">,
                         cca::wire<"joint.angle", "limits.measured">,
                         cca::wire<"limits.safe", "joint.command">,
-                        cca::observe<"inner.*">> {};
+                        cca::observe<"inner.**">> {};
 
 }  // namespace
 

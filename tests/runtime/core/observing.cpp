@@ -18,7 +18,7 @@ struct state_of_it {
 
 // [observe]
 struct recorder {  // records every change under `leg`
-  void process(cca::observe<"leg.*"> all, cca::beat now) {
+  void process(cca::observe<"leg.**"> all, cca::beat now) {
     for (const cca::observation& one : all)
       if (one.fresh) recorded[std::string(one.path)] = {one.values.begin(), one.values.end()};
     ++fired;
@@ -43,7 +43,7 @@ struct watched : cca::graph<cca::rate<1000>,
 // [observe end]
 
 struct late_recorder {
-  void process(cca::observe<"leg.*", cca::delayed<2>> all, cca::beat now) {
+  void process(cca::observe<"leg.**.*", cca::delayed<2>> all, cca::beat now) {
     for (const auto& one : all) recorded.push_back({now.index(), one.values[0], one.origin, one.fresh});
   }
   std::vector<seen> recorded;
@@ -62,13 +62,16 @@ TEST_SUITE("observing") {
     c.step();
     const auto& r = c.get<"recorder">();
     CHECK_EQ(r.fired, 1);
-    CHECK_EQ(r.recorded.size(), 2);
+    CHECK_EQ(r.recorded.size(), 4);
+    CHECK_EQ(r.recorded.at("leg.slow.x"), std::vector<double>{1});
+    CHECK_EQ(r.recorded.at("leg.state.x"), std::vector<double>{1});
     CHECK_EQ(r.recorded.at("leg.slow.y"), std::vector<double>{1});
     CHECK_EQ(r.recorded.at("leg.state.state"), std::vector<double>{1, -1});
     c.run(cca::for_beats<2>{});
-    CHECK_EQ(r.fired, 1);  // restless: without a fresh input it does not fire
+    CHECK_EQ(r.fired, 3);  // the counter's wire brings a sample to `leg.slow.x` in each beat
+    CHECK_EQ(r.recorded.at("leg.slow.x"), std::vector<double>{3});
     c.step();
-    CHECK_EQ(r.fired, 2);
+    CHECK_EQ(r.fired, 4);
     CHECK_EQ(r.beat, 3);
     CHECK_EQ(r.recorded.at("leg.state.state"), std::vector<double>{1 + 4, -1 - 4});
   }

@@ -34,7 +34,7 @@ struct pair_journal {
   std::vector<seen> all;
 };
 struct listener {
-  void process(cca::observe<"inner.*", cca::delayed<2>> scope, cca::beat now) {
+  void process(cca::observe<"inner.**.*", cca::delayed<2>> scope, cca::beat now) {
     for (const auto& one : scope) all.push_back({now.index(), one.values[0], one.origin, one.fresh});
   }
   std::vector<seen> all;
@@ -79,7 +79,7 @@ struct everything
                  cca::wire<"source.y", "together.b", cca::delayed<1>>,
                  cca::wire<"slow.y", "moderate.a", cca::latest, cca::initial<7>>,
                  cca::wire<"source.y", "moderate.b">,
-                 cca::observe<"inner.*">> {};
+                 cca::observe<"inner.**.*">> {};
 
 template <class Controller>
 std::vector<seen> seen_by(const Controller& c) {

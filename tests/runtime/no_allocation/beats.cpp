@@ -49,7 +49,7 @@ struct spin {
 };
 struct ear {
   double total = 0;
-  void process(cca::observe<"inner.*"> all) {
+  void process(cca::observe<"inner.**"> all) {
     for (const auto& one : all) total += one.values[0];
   }
 };
@@ -106,7 +106,7 @@ struct all : cca::graph<cca::rate<1000>,
                         cca::wire<"seldom.y", "oldest.x", cca::queue<3, cca::drop_oldest>>,
                         cca::wire<"source.y", "newest.x", cca::queue<3, cca::drop_newest>>,
                         cca::wire<"oldest.y", "spin.x">,
-                        cca::observe<"inner.*">> {};
+                        cca::observe<"inner.**">> {};
 
 }  // namespace
 

@@ -59,7 +59,7 @@ struct robot_of_graphs : cca::graph<cca::node<"leg", inner_leg>,
                                     cca::expose<"leg.angles", "angles">,
                                     cca::expose<"leg.attitude", "attitude">> {};
 struct stands_within
-    : cca::graph<cca::rate<1000>, cca::node<"robot", robot_of_graphs>, cca::observe<"robot.*">> {};
+    : cca::graph<cca::rate<1000>, cca::node<"robot", robot_of_graphs>, cca::observe<"robot.**.*">> {};
 struct shown_within : stands_within,
                       cca::recordable,
                       cca::shows<one_leg, "robot.angles", "robot.leg.attitude"> {};

@@ -16,7 +16,7 @@
 //   out "timed_out"   step_flag              1 if the step began by a timeout
 //   out "status"      component_status_port  reached in the last step, converging before
 //   out "module"      module_status_port     what the learner does, and whether the running step was tried
-//   fault             if a condition names a path without a publisher
+//   fault             if a condition of your own asks for a path without a publisher
 //
 // The plan states what may follow (`then_one_of`), and under which conditions. Among the steps whose
 // conditions hold it takes the one with the largest learned value; at the same value the one that the plan
@@ -80,12 +80,12 @@ struct learned_sequencer {
           settings(of_learner),
           files(names) {}
   };
+  static constexpr auto asked_paths = Plan::asked_paths;
   parameters p{};
   sequence<Plan> steps;
   training<learner, 500> learning;
 
-  auto process(observe<Scope, Policy> told,
-               observe<detail::without_star(Scope), Policy> told_by_components,
+  auto process(observe<detail::with_components<Scope>(), Policy> told,
                in<"criterion", criterion_port> criterion,
                optional_in<"error", criterion_error> error,
                optional_in<"learn", learning_request> call,
@@ -98,9 +98,7 @@ struct learned_sequencer {
     if (call) learning.hear(call, p.settings);
     const int running = steps.step();
     const std::int64_t age = steps.beats(now);
-    steps.update_by(
-        now, [this](int from, std::span<const int> ready) { return chosen(from, ready); }, told,
-        told_by_components);
+    steps.update_by(now, [this](int from, std::span<const int> ready) { return chosen(from, ready); }, told);
     // A step may follow itself: then its time begins again.
     if (steps.step() != running || steps.beats(now) < age) {
       if (before >= 0) learn(before, running, judgement(criterion, error));

@@ -81,6 +81,10 @@ struct steps {
   static constexpr int count = sizeof...(Steps);
   static constexpr std::array<detail::step_info, sizeof...(Steps)> table{detail::step_facts<Steps>::info...};
 
+  // What its conditions ask for: a component that runs a plan has the same member.
+  static constexpr auto asked_paths =
+      detail::all_paths_asked<typename detail::step_facts<Steps>::condition...>();
+
   // The number of the step of that name; -1 if there is none.
   static constexpr int find(std::string_view name) {
     for (int i = 0; i < count; ++i)

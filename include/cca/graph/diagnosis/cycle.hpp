@@ -27,7 +27,7 @@ constexpr int waiting_input(const flat_view& g, int call_index) {
 
 constexpr wire_cycle find_cycle(const flat_view& g) {
   wire_cycle found;
-  for (int i = 0; i < g.input_count; ++i) {
+  for (int i = 0; i < g.first_link; ++i) {
     const auto& in = g.inputs[i];
     if (in.writer < 0 || in.delay > 0 || g.calls[in.call].rank >= 0) continue;
     if (g.calls[g.outputs[in.writer].call].phase > g.calls[in.call].phase) {

@@ -44,6 +44,12 @@ struct second_writer {};  // a wire to an input that has one [input, output]
 struct connection {};     // a wire between two ports [input, output]
 struct open_input {};     // an input that nothing feeds [input]
 struct unknown_part {};   // a component stops or starts what is no part [name; of a set of modes: in_mode]
+// listen; the item is an observe of a graph, or the node of an observer [input]
+struct observer_policy {};
+struct unheard_pattern {};  // it names nothing
+// A path for which a component asks [call, name, axis; input and output: of its link].
+struct asked_path {};
+struct heard_input {};  // an input that an observer hears [input: the observer's own for it]
 // find the rate
 struct second_rate {};  // a rate that is not the graph's
 struct known_rate {};   // [no item]
@@ -58,12 +64,13 @@ struct finished_call {};   // [call]
 struct finished_input {};  // of a space [input]
 struct stated_latency {};  // [output, input]: both ends of a require
 // place the components of a deployment
-struct stated_deployment {};     // [no item]
-struct stated_environment {};    // [environment, no item]
-struct placed_path {};           // a path that names nothing [name, environment, no item]
-struct placed_node {};           // named by a second environment [environment], or by none [node]
-struct finished_environment {};  // all components have their place [environment, no item]
-struct crossing {};              // a wire, or an observer's node, between two environments [input, output]
+struct stated_deployment {};      // [no item]
+struct stated_environment {};     // [environment, no item]
+struct placed_path {};            // a path that names nothing [name, environment, no item]
+struct placed_node {};            // named by a second environment [environment], or by none [node]
+struct finished_environment {};   // all components have their place [environment, no item]
+struct crossing {};               // a wire, or an observer's node, between two environments [input, output]
+struct queue_shown_elsewhere {};  // an observer's node; the queue is in another environment [input, output]
 
 // share the components of a set of modes [no item, unless said otherwise]
 struct stated_modes {};        // []

@@ -26,6 +26,10 @@
 #include <cca/graph/diagnosis/rules/modes/modes_two_rates.hpp>
 #include <cca/graph/diagnosis/rules/modes/modes_two_types.hpp>
 #include <cca/graph/diagnosis/rules/modes/modes_unknown_mode.hpp>
+#include <cca/graph/diagnosis/rules/observers/observe_bad_policy.hpp>
+#include <cca/graph/diagnosis/rules/observers/observe_nothing.hpp>
+#include <cca/graph/diagnosis/rules/observers/observe_queue.hpp>
+#include <cca/graph/diagnosis/rules/observers/plan_unknown_path.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_coordination.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_misplaced.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_never_fires.hpp>
@@ -74,6 +78,10 @@ using rules = list<
     learner_request,
     wire_bad_initial,
     wire_unconnected_input,
+    observe_bad_policy,
+    observe_nothing,
+    observe_queue,
+    plan_unknown_path,
     rate_missing,
     strategy_never_fires,
     graph_algebraic_loop,

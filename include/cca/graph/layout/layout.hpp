@@ -177,15 +177,16 @@ struct layout_step {
       if (in.way_of >= 0) to.sources[i] = to.sources[in.way_of];
       else if (in.queue >= 0)
         to.sources[i] = place_in({.kind = storage_kind::queue,
-                                  .size = port_of(g, in).space->size,
+                                  .size = coordinates_of(g, in),
                                   .depth = in.wire->capacity,
                                   .full = in.wire->full,
                                   .counts_vary = in.counts_vary,
                                   .counts_arrivals = in.counts_arrivals});
+      else if (in.shows >= 0) to.sources[i] = to.sources[in.shows];
       else if (in.writer >= 0) to.sources[i] = to.outputs[in.writer];
       if (is_on_the_way(in) && !g.calls[g.outputs[in.writer].call].elsewhere)
-        to.on_the_way[i] = place_in(
-            {.kind = storage_kind::on_the_way, .size = port_of(g, in).space->size, .depth = in.delay});
+        to.on_the_way[i] =
+            place_in({.kind = storage_kind::on_the_way, .size = coordinates_of(g, in), .depth = in.delay});
     }
   }
 
@@ -247,7 +248,7 @@ struct layout_step {
   // compare the initial values of large samples would take the compilers long.
   constexpr bool is_unique(const input& in) const {
     const auto space = port_of(g, in).space;
-    return (in.writer < 0 && !space) || g.calls[in.call].elsewhere || (space && space->size > most_compared);
+    return !space || g.calls[in.call].elsewhere || space->size > most_compared;
   }
   // What stops and starts parts looks them up by its own number.
   constexpr bool is_unique(const call& c) const {
@@ -298,7 +299,7 @@ struct layout_step {
 template <class Graph>
 inline constexpr auto layout_of = [] {
   constexpr auto& size = graph_size<Graph>;
-  layout<size.nodes, size.calls, size.ways(), size.outputs> result;
+  layout<size.nodes, size.calls, input_count_of<Graph>, size.outputs> result;
   auto plan = plan_of<Graph>;
   const auto view = plan.view();
   layout_step<decltype(result)>{view, result}.run();

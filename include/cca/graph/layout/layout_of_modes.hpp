@@ -10,7 +10,7 @@ namespace cca::detail {
 template <Modes M>
 inline constexpr auto layout_of<M> = [] {
   constexpr auto& size = graph_size<M>;
-  layout<size.nodes, size.calls, size.ways(), size.outputs> result;
+  layout<size.nodes, size.calls, input_count_of<M>, size.outputs> result;
   layout_step<decltype(result)> step{shown_plan<M>, result};
   step.place_nowhere();
   step.place_components();
@@ -23,7 +23,7 @@ inline constexpr auto layout_of<M> = [] {
 template <class M, int I>
 inline constexpr auto layout_of<mode_part<M, I>> = [] {
   constexpr auto& size = graph_size<mode_part<M, I>>;
-  layout<size.nodes, size.calls, size.ways(), size.outputs> result;
+  layout<size.nodes, size.calls, input_count_of<mode_part<M, I>>, size.outputs> result;
   auto plan = plan_of<mode_part<M, I>>;
   const auto g = plan.view();
   layout_step<decltype(result)>{g, result}.run();
@@ -45,7 +45,11 @@ inline constexpr auto layout_of<mode_part<M, I>> = [] {
       result.sources[i].index = whole.sources[sharing::find_queue(view, head, view.whole)].index;
       if (is_on_the_way(in))
         result.on_the_way[i].index = whole.on_the_way[sharing::find_way(view, i, view.whole)].index;
-    } else if (g.inputs[i].writer >= 0) result.sources[i] = result.outputs[g.inputs[i].writer];
+    } else if (in.shows >= 0) {
+      result.sources[i] = result.sources[in.shows];
+    } else if (in.writer >= 0) {
+      result.sources[i] = result.outputs[in.writer];
+    }
   return result;
 }();
 

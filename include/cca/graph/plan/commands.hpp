@@ -8,8 +8,9 @@ namespace cca::detail {
 // Does an input move something?
 constexpr bool is_actuated(const flat_view& g, const input& in) {
   const auto& t = g.calls[in.call];
-  return t.phase == phase_of_beat::act && !item_of_call(g, t).component->moves_nothing &&
-         port_of(g, in).space->actuated;
+  const auto& space = port_of(g, in).space;  // none of an observer, which moves nothing
+  return t.phase == phase_of_beat::act && !item_of_call(g, t).component->moves_nothing && space &&
+         space->actuated;
 }
 
 // Commands that leave this function are limited: it is a limiter, or a resource node that is checked itself.

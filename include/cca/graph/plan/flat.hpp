@@ -87,10 +87,13 @@ struct input {
   int queue = -1;                    // number of its queue; that of all ways into an input
   int next_way = -1;                 // the next way into the same input
   int way_of = -1;                   // of a further way: the input
-  int turn = 0;  // of a way: its place among those into one input, by the order of publication
+  int shows = -1;  // of an observer: the input whose queue it shows, and takes nothing from it
+  int turn = 0;    // of a way: its place among those into one input, by the order of publication
   bool counts_arrivals = false;  // its strategy may ask how many samples came in a beat
   bool counts_vary = false;      // the ways into it differ in whether their samples count for the origin
-  std::uint64_t modes = 0;       // of a set of modes: those that have this queue
+  bool watched = false;          // an `observe` of the graph names it
+  ref<item_info> watched_as = nullptr;
+  std::uint64_t modes = 0;  // of a set of modes: those that have this queue
 };
 
 // How a sample is stored; decided in graph/plan/steps/storage.hpp. A queue is an input's own, and so is what
@@ -100,7 +103,8 @@ enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, 
 struct output {
   int call = 0, port = 0;
   int first_reader = -1;
-  bool watched = false;  // an `observe` of the graph listens to it
+  bool watched = false;  // an `observe` of the graph names it
+  ref<item_info> watched_as = nullptr;
   storage_kind storage = storage_kind::none;
   int depth = 0;         // of the past, or of what arrives
   bool leaves = false;   // another environment reads it
@@ -108,10 +112,13 @@ struct output {
   ref<item_info> initial_of = nullptr;
 };
 
-// An output that an observer hears.
+// What an observer hears: an output, or what another input shows. It comes by an input of its own, which
+// stands after those of all ports: the observer reads it as over a wire.
 struct link {
-  int input = 0, output = 0;
-  bool counts = true;  // for the time of origin
+  int observer = 0;                   // its port
+  int output = 0;                     // the writer
+  int input = -1;                     // the input that shows it; -1: the output is heard
+  ref<item_info> heard_as = nullptr;  // the cca::expose by whose name it is heard; null: its own path
 };
 
 struct table_entry {
@@ -130,8 +137,9 @@ struct flat_view {
   stoppable_part* parts;
   part_request* requests;
   int part_count = 0, request_count = 0;
-  int scope_count = 0, node_count = 0, call_count = 0, input_count = 0, output_count = 0, link_count = 0,
-      queue_count = 0;
+  int scope_count = 0, node_count = 0, call_count = 0, output_count = 0, link_count = 0, queue_count = 0;
+  int input_count = 0;  // of ports, then of further ways into them, then one for each link
+  int first_link = 0;   // the first of the last
   int order_count = 0;  // calls in a beat
   const environment_info* environments = nullptr;
   int environment_count = 0;
@@ -169,6 +177,18 @@ struct flat {
     v.requests = requests.data();
     return v;
   }
+  // The same with more room.
+  template <class Wider>
+  constexpr void widen(Wider& to) const {
+    to.scopes = scopes;
+    to.nodes = nodes;
+    to.calls = calls;
+    for (int i = 0; i < counts.input_count; ++i) to.inputs[array_size(i)] = inputs[array_size(i)];
+    to.outputs = outputs;
+    to.parts = parts;
+    to.requests = requests;
+    to.counts = counts;
+  }
   constexpr void keep(flat_view v) {
     v.scopes = nullptr;
     v.nodes = nullptr;
@@ -192,8 +212,10 @@ constexpr const port_info& port_of(const flat_view& g, const input& i) {
 constexpr const port_info& port_of(const flat_view& g, const output& o) {
   return g.calls[o.call].function->outputs[o.port];
 }
-constexpr int delay_of(const flat_view& g, const link& l) {
-  return port_of(g, g.inputs[l.input]).observed_delay;
+// Coordinates of what an input reads; an observer reads any space.
+constexpr int coordinates_of(const flat_view& g, const input& i) {
+  const auto& own = port_of(g, i).space;
+  return own ? own->size : port_of(g, g.outputs[i.writer]).space->size;
 }
 constexpr const item_info& item_of_call(const flat_view& g, const call& t) { return *g.nodes[t.node].item; }
 constexpr int scope_of_call(const flat_view& g, const call& t) { return g.nodes[t.node].scope; }

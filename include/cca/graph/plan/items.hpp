@@ -159,6 +159,24 @@ struct wire_option<initial<Coordinates...>> {
   }
 };
 
+// No longer needed: each pattern must name something.
+template <>
+struct wire_option<one_output> : wire_option<latest> {};
+
+template <class... Policies>
+constexpr item_info policy_item(std::string_view pattern) {
+  item_info item{.kind = item_kind::observe, .from = pattern};
+  (wire_option<Policies>::set(item), ...);
+  if (item.policy == policy_kind::unstated) item.policy = policy_kind::latest;
+  return item;
+}
+template <class... Policies>
+inline constexpr item_info item_of_policy = policy_item<Policies...>({});
+template <class... Policies>
+constexpr const item_info& observer_policy() {
+  return item_of_policy<Policies...>;
+}
+
 template <class Item>
 inline constexpr item_info item_of{.unknown_type = type_name<Item>()};
 
@@ -200,8 +218,8 @@ template <fixed_string From, fixed_string To, int Count>
 inline constexpr item_info item_of<require<latency<From, To>, beats<Count>>>{
     .kind = item_kind::require, .from = From.view(), .to = To.view(), .number = Count};
 
-template <fixed_string Scope, class Policy>
-inline constexpr item_info item_of<observe<Scope, Policy>>{.kind = item_kind::observe, .from = Scope.view()};
+template <fixed_string Scope, class... Policies>
+inline constexpr item_info item_of<observe<Scope, Policies...>> = policy_item<Policies...>(Scope.view());
 
 constexpr graph_sizes sizes_of(const item_info* items, int count) {
   graph_sizes sizes;

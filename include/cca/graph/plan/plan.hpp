@@ -4,7 +4,8 @@
 // below is a constant evaluation of its own, so that large graphs stay within the compilers' limits.
 //
 //   flatten           components and ports of all inner graphs, in arrays     flatten.hpp
-//   connect           wires and observers bound to ports                      connect.hpp
+//   connect           wires bound to ports                                    connect.hpp
+//   listen            observers bound to what their patterns name             listen.hpp
 //   find_rate         the length of a beat                                    rate.hpp
 //   check_strategies  the rules about strategies                              check_strategies.hpp
 //   order_calls       the order of a beat                                     order.hpp
@@ -21,6 +22,7 @@
 #include <cca/graph/plan/names.hpp>
 #include <cca/graph/plan/steps/flatten.hpp>
 #include <cca/graph/plan/steps/connect.hpp>
+#include <cca/graph/plan/steps/listen.hpp>
 #include <cca/graph/plan/steps/rate.hpp>
 #include <cca/graph/plan/steps/check_strategies.hpp>
 #include <cca/graph/plan/steps/order.hpp>
@@ -34,15 +36,16 @@ namespace cca::detail {
 template <class Graph>
 inline constexpr graph_sizes graph_size = graph_facts<Graph>::value.sizes;
 
-template <class Graph>
-using flat_of = flat<graph_size<Graph>.scopes,
-                     graph_size<Graph>.nodes,
-                     graph_size<Graph>.calls,
-                     graph_size<Graph>.ways(),
-                     graph_size<Graph>.outputs,
-                     graph_size<Graph>.observers * graph_size<Graph>.outputs,
-                     graph_size<Graph>.parts,
-                     graph_size<Graph>.part_requests>;
+// With room for so many links.
+template <class Graph, int Links>
+using flat_with = flat<graph_size<Graph>.scopes,
+                       graph_size<Graph>.nodes,
+                       graph_size<Graph>.calls,
+                       graph_size<Graph>.ways() + Links,
+                       graph_size<Graph>.outputs,
+                       Links,
+                       graph_size<Graph>.parts,
+                       graph_size<Graph>.part_requests>;
 
 template <class Graph>
 inline constexpr std::uint64_t names_size =
@@ -51,13 +54,13 @@ inline constexpr std::uint64_t names_size =
 
 template <class Graph>
 struct flattened {
-  flat_of<Graph> graph{};
+  flat_with<Graph, 0> graph{};
   std::array<table_entry, names_size<Graph>> names{};
 };
 
 // The next steps, until a rule is broken.
-template <class Graph, class... Steps>
-consteval flat_of<Graph> then(const flat_of<Graph>& before, Steps... steps) {
+template <class Graph, class Flat, class... Steps>
+consteval Flat then(const Flat& before, Steps... steps) {
   auto result = before;
   flat_view g = result.view();
   ((g = g.found.is_broken() ? g : steps(g)), ...);
@@ -76,14 +79,44 @@ template <class Graph>
 inline constexpr flattened<Graph> flattened_of = flatten<Graph>();
 
 template <class Graph>
-inline constexpr flat_of<Graph> connected_of = then<Graph>(flattened_of<Graph>.graph, [](flat_view g) {
-  return connect(g, flattened_of<Graph>.names.data(), names_size<Graph> - 1,
-                 graph_size<Graph>.observers * graph_size<Graph>.outputs);
+inline constexpr flat_with<Graph, 0> connected_of = then<Graph>(flattened_of<Graph>.graph, [](flat_view g) {
+  return connect(g, flattened_of<Graph>.names.data(), names_size<Graph> - 1);
 });
+
+// How many links the observers of a graph have.
+template <class Graph>
+inline constexpr int link_count_of = [] {
+  if constexpr (graph_size<Graph>.observers == 0) {
+    return 0;
+  } else {
+    auto connected = connected_of<Graph>;
+    return connected.counts.found.is_broken() ? 0 : count_links(connected.view());
+  }
+}();
+
+template <class Graph>
+using flat_of = flat_with<Graph, link_count_of<Graph>>;
+
+// Of ports, of ways into them, and of links.
+template <class Graph>
+inline constexpr int input_count_of = graph_size<Graph>.ways() + link_count_of<Graph>;
+
+template <class Graph>
+consteval flat_of<Graph> listened() {
+  if constexpr (link_count_of<Graph> == 0) {
+    return then<Graph>(connected_of<Graph>, listen);
+  } else {
+    flat_of<Graph> result;
+    connected_of<Graph>.widen(result);
+    return then<Graph>(result, listen);
+  }
+}
+template <class Graph>
+inline constexpr flat_of<Graph> listened_of = listened<Graph>();
 
 template <class Graph>
 inline constexpr flat_of<Graph> ordered_of =
-    then<Graph>(connected_of<Graph>, find_rate, check_strategies, order_calls);
+    then<Graph>(listened_of<Graph>, find_rate, check_strategies, order_calls);
 
 template <class Graph>
 inline constexpr flat_of<Graph> clocked_of = then<Graph>(ordered_of<Graph>, find_clocks);

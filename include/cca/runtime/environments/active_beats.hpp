@@ -13,7 +13,7 @@ namespace cca::detail {
 // Clocks of an environment, each once.
 template <class D>
 struct clocks_of_environment {
-  std::array<clock, array_size(graph_size<D>.calls + graph_size<D>.ways()) + 1> all{};
+  std::array<clock, array_size(graph_size<D>.calls + input_count_of<D>) + 1> all{};
   std::size_t count = 0;
 
   // A clock that is not known may tick in every beat.

@@ -22,7 +22,7 @@ struct fault_order {
   std::array<int, array_size(environment_count<D>)> last{};
 
   // Of each input with a queue that may reject what arrives when a beat begins: its rank, before all calls.
-  std::array<int, array_size(graph_size<D>.ways()) + 1> rank_of_entries{};
+  std::array<int, array_size(input_count_of<D>) + 1> rank_of_entries{};
   int own_entries = 0;  // how many of these must be done when those of this environment are; 0: it has none
 };
 

@@ -80,16 +80,16 @@ protected:
   // f(observation) for each output that an `observe` names, before beat k, in declaration order.
   template <class F>
   void observe_here(std::int64_t k, F& f) const {
-    for_each_watched([&]<int Output, int E>() {
-      if (here[E]) observe_newest<part<D, E>, Output>(loops.template at<E>().state, k, f);
+    for_each_watched([&]<int E, class Observed>() {
+      if (here[E]) Observed::template show<part<D, E>>(loops.template at<E>().state, k, f);
     });
   }
   // Of one environment, between two of its beats.
   template <int Environment, class F>
   void observed_in(F& f) const {
-    for_each_watched([&]<int Output, int E>() {
+    for_each_watched([&]<int E, class Observed>() {
       if constexpr (E == Environment)
-        observe_newest<part<D, E>, Output>(loops.template at<E>().state, loops.template at<E>().k, f);
+        Observed::template show<part<D, E>>(loops.template at<E>().state, loops.template at<E>().k, f);
     });
   }
 
@@ -97,15 +97,33 @@ protected:
   environments_here<D> here{};
 
 private:
+  // A watched port, in the state of its environment.
+  template <int Output>
+  struct watched_output {
+    template <class Part, class State, class F>
+    static void show(const State& state, std::int64_t k, F& f) {
+      observe_newest<Part, Output>(state, k, f);
+    }
+  };
+  template <int Input>
+  struct watched_input {
+    template <class Part, class State, class F>
+    static void show(const State& state, std::int64_t k, F& f) {
+      observe_shown<Part, Input>(state, k, f);
+    }
+  };
   template <class F>
   static void for_each_watched(F f) {
     [&]<int... Output>(std::integer_sequence<int, Output...>) {
-      const int all[] = {
-        0,
-        (f.template operator()<Output, environment_of<call_of<D, output_of<D, Output>.call>.node>>(), 0)...
-      };
-      (void)all;
+      (f.template
+       operator()<environment_of<call_of<D, output_of<D, Output>.call>.node>, watched_output<Output>>(),
+       ...);
     }(chosen<counts_of<D>.output_count, is_watched<D>>{});
+    [&]<int... Input>(std::integer_sequence<int, Input...>) {
+      (f.template
+       operator()<environment_of<call_of<D, input_of<D, Input>.call>.node>, watched_input<Input>>(),
+       ...);
+    }(chosen<counts_of<D>.first_link, is_watched_input<D>>{});
   }
 };
 

@@ -206,7 +206,7 @@ private:
   template <int I>
   [[gnu::noinline]] void take_requests() noexcept {
     detail::take_requests<part<I>>(state_of_all, k,
-                                   [this]([[maybe_unused]] int number, [[maybe_unused]] bool stops) {
+                                   [&]([[maybe_unused]] int number, [[maybe_unused]] bool stops) {
                                      if constexpr (detail::Recordable<M>)
                                        if (auto* const tap = recorded_into())
                                          tap->part_changed(number, stops, true, k);

@@ -57,7 +57,7 @@ struct passing_output {
 };
 template <class M, int I>
 struct kept_for_queues {
-  std::array<int, array_size(graph_size<mode_part<M, I>>.ways() + 1)> queues{}, ways{};
+  std::array<int, array_size(input_count_of<mode_part<M, I>> + 1)> queues{}, ways{};
 };
 template <class M, int I>
 inline constexpr auto queues_of_mode = [] {

@@ -71,17 +71,22 @@ std::string manifest_of() {
     write_space(text, *port_of(g, g.outputs[o]).space);
     text << (g.outputs[o].watched ? ", observed\n" : "\n");
   }
-  for (int i = 0; i < g.input_count; ++i)
+  for (int i = 0; i < g.first_link; ++i)
     if (const auto& in = g.inputs[i]; in.wire && in.writer >= 0) {
       text << "wire from " << port(g.outputs[in.writer]) << " to " << port(in) << ": ";
       write_policy(text, *in.wire);
       text << ", read in ";
       write_space(text, *port_of(g, in).space);
-      text << '\n';
+      text << (in.watched ? ", observed\n" : "\n");
     }
-  for (int l = 0; l < g.link_count; ++l)
-    text << "observer " << port(g.inputs[g.links[l].input]) << " of " << port(g.outputs[g.links[l].output])
-         << ", delayed " << delay_of(g, g.links[l]) << '\n';
+  for (int l = 0; l < g.link_count; ++l) {
+    const auto& heard = g.links[l];
+    text << "observer " << port(g.inputs[heard.observer]) << " of "
+         << (heard.input < 0 ? port(g.outputs[heard.output]) : "input " + port(g.inputs[heard.input]))
+         << ", ";
+    write_policy(text, port_of(g, g.inputs[heard.observer]).policy());
+    text << '\n';
+  }
   return text.str();
 }
 

@@ -27,6 +27,9 @@ struct part : marks_of<D> {
 template <class D, int E>
 inline constexpr graph_sizes graph_size<part<D, E>> = graph_size<D>;
 
+template <class D, int E>
+inline constexpr int link_count_of<part<D, E>> = link_count_of<D>;
+
 // The nodes are those of the architecture.
 template <class D, int E, int Node>
 struct node_types<part<D, E>, Node> : node_types<D, Node> {};
@@ -62,6 +65,7 @@ constexpr flat_view take_part(flat_view g, int environment) {
   for (int i = 0; i < g.input_count; ++i) {
     auto& in = g.inputs[i];
     in.in_beat = in.known_now = in.own_initial = false;
+    in.watched &= is_here(in.call);
     g.may_fault |= may_fault_at_begin(in) && !g.calls[in.call].elsewhere;
   }
   for (int o = 0; o < g.output_count; ++o) {

@@ -16,9 +16,6 @@ template <class F>
 constexpr void for_each_reader(const flat_view& g, int output, F f) {
   for (int i = g.outputs[output].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
     f(environment_of(g, g.inputs[i].call), g.inputs[i].delay);
-  for (int l = 0; l < g.link_count; ++l)
-    if (g.links[l].output == output)
-      f(environment_of(g, g.inputs[g.links[l].input].call), delay_of(g, g.links[l]));
 }
 
 // Is the node, or a graph around it, at this path?
@@ -80,20 +77,19 @@ struct placer {
   }
 
   constexpr void check_crossings() {
-    for (int i = 0; i < g.input_count; ++i) {
+    for (int i = 0; i < g.first_link; ++i) {
       const auto& in = g.inputs[i];
       if (in.writer >= 0 && environment_of(g, in.call) != environment_of(g, g.outputs[in.writer].call))
         check<when::crossing>(
             g, {.item = &*in.wire, .scope = scope_of_wire(g, in), .input = i, .output = in.writer});
     }
-    for (int l = 0; l < g.link_count; ++l) {
-      const auto& in = g.inputs[g.links[l].input];
-      const int reader = g.calls[in.call].node;
-      if (g.nodes[reader].environment != environment_of(g, g.outputs[g.links[l].output].call))
-        check<when::crossing>(g, {.item = g.nodes[reader].item,
-                                  .scope = g.nodes[reader].scope,
-                                  .input = g.links[l].input,
-                                  .output = g.links[l].output});
+    for (int i = g.first_link; i < g.input_count; ++i) {
+      const auto& in = g.inputs[i];
+      const auto& reader = g.nodes[g.calls[in.call].node];
+      const finding facts{.item = reader.item, .scope = reader.scope, .input = i, .output = in.writer};
+      if (reader.environment != environment_of(g, g.outputs[in.writer].call)) check<when::crossing>(g, facts);
+      if (in.shows >= 0 && reader.environment != environment_of(g, g.inputs[in.shows].call))
+        check<when::queue_shown_elsewhere>(g, facts);
     }
   }
 

@@ -80,6 +80,16 @@ struct modes_of<M, list<Items...>> {
     return sum;
   }();
 
+  // Of all observers, for their queues.
+  static constexpr int links = [] {
+    int sum = 0;
+    const auto add = [&]<class G>(box<G>) {
+      if constexpr (Graph<G>) sum += link_count_of<G>;
+    };
+    (add(box<typename item_of_modes<Items>::graph>{}), ...);
+    return sum;
+  }();
+
   // The graph of mode I.
   template <int I>
   using graph = typename item_of_modes<std::tuple_element_t<std::size_t{I}, std::tuple<Items...>>>::graph;
@@ -94,6 +104,9 @@ struct graph_facts<M> {
 };
 template <Modes M>
 inline constexpr graph_sizes graph_size<M> = modes_of<M>::sizes;
+
+template <Modes M>
+inline constexpr int link_count_of<M> = modes_of<M>::links;
 
 template <class M>
 struct shared_plan {
@@ -168,7 +181,7 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
       in.own_initial = out.storage == storage_kind::newest && in.queue < 0 && !in.in_beat &&
-                       !same_initial(out.initial_of, in.initial, port_of(g, in).space->size);
+                       !same_initial(out.initial_of, in.initial, port_of(g, out).space->size);
     }
   }
   return g;
@@ -176,6 +189,8 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
 
 template <class M, int I>
 inline constexpr graph_sizes graph_size<mode_part<M, I>> = graph_size<typename mode_part<M, I>::graph>;
+template <class M, int I>
+inline constexpr int link_count_of<mode_part<M, I>> = link_count_of<typename mode_part<M, I>::graph>;
 template <class M, int I>
 inline constexpr int calls_in_part<mode_part<M, I>> = calls_in_part<typename mode_part<M, I>::graph>;
 

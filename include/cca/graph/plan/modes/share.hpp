@@ -250,7 +250,7 @@ struct sharing {
   constexpr void check_commands() {
     for (int m = 0; m < all.count; ++m) {
       const auto one = view_of(m);
-      for (int i = 0; i < one.g.input_count; ++i) {
+      for (int i = 0; i < one.g.first_link; ++i) {
         if (!is_actuated(one.g, one.g.inputs[i])) continue;
         for (int other = m + 1; other < all.count; ++other) check_command(one, m, i, view_of(other), other);
       }
@@ -260,7 +260,7 @@ struct sharing {
       const mode_view& one, int mode, int i, const mode_view& other, int other_mode) {
     const auto& in = one.g.inputs[i];
     const int call = one.shared_call(in.call);
-    for (int x = 0; x < other.g.input_count; ++x) {
+    for (int x = 0; x < other.g.first_link; ++x) {
       const auto& there = other.g.inputs[x];
       if (there.port != in.port || other.shared_call(there.call) != call) continue;
       const auto part = find_parting(one, i, other, x);

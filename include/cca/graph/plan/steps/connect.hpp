@@ -1,10 +1,22 @@
-// Step 2, connect: binds wires and observers to ports.
+// Step 2, connect: binds wires to ports.
 #pragma once
 
 #include <cca/graph/diagnosis/check.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {
+
+// An input reads an output over a wire.
+constexpr void bind_wire(flat_view& g, int writer, int reader, const item_info& wire) {
+  auto& in = g.inputs[reader];
+  in.writer = writer;
+  in.wired = true;
+  in.wire = &wire;
+  in.delay = wire.delay;
+  in.next_of_writer = g.outputs[writer].first_reader;
+  g.outputs[writer].first_reader = reader;
+  if (wire.has_queue() && wire.full == full_kind::reject) g.may_fault = true;
+}
 
 struct connector {
   flat_view g;
@@ -17,17 +29,9 @@ struct connector {
     if (!is_first && !goes_together(reader, writer, item)) return check<when::second_writer>(g, facts);
     check<when::connection>(g, facts);
     const int way = is_first ? reader : add_way(reader);
-    auto& in = g.inputs[way];
-    in.writer = writer;
-    in.wired = true;
-    in.wire = &item;
-    in.delay = item.delay;
+    bind_wire(g, writer, way, item);
     if (item.initial && !g.inputs[reader].initial) g.inputs[reader].initial = &item;
-    in.next_of_writer = g.outputs[writer].first_reader;
-    g.outputs[writer].first_reader = way;
-    if (!item.has_queue()) return;
-    if (is_first) in.queue = g.queue_count++;
-    if (item.full == full_kind::reject) g.may_fault = true;
+    if (item.has_queue() && is_first) g.inputs[way].queue = g.queue_count++;
   }
 
   // A further wire leads into the same queue, and brings other samples, or at other times.
@@ -85,67 +89,6 @@ struct connector {
           {.item = &item, .scope = in_scope, .at_reader = true, .is_opposite = has(item.to, b ^ as_output)});
   }
 
-  // Does an observer hear this output? It names a path or a scope, as in `dmp.status.*`.
-  constexpr bool under(const output& o, std::string_view listened, int observer_scope) const {
-    const auto& t = g.calls[o.call];
-    const auto& l = g.nodes[t.node];
-    std::array<std::string_view, 34> path{};
-    int length = 0;
-    path[static_cast<std::size_t>(length++)] = port_of(g, o).name;
-    path[static_cast<std::size_t>(length++)] = l.item->from;
-    int s = l.scope;
-    for (; s != observer_scope && s >= 0; s = g.scopes[s].parent) {
-      if (g.scopes[s].item && length < 34) path[static_cast<std::size_t>(length++)] = g.scopes[s].item->from;
-    }
-    if (s != observer_scope) return false;
-    // From the outermost name inwards: `*` is any one name, and at the end any path.
-    for (std::string_view rest = listened;;) {
-      std::size_t dot = 0;
-      while (dot < rest.size() && rest[dot] != '.') ++dot;
-      const auto word = rest.substr(0, dot);
-      if (dot == rest.size()) return word == "*" ? length > 0 : length == 1 && word == path[0];
-      if (length == 0) return false;
-      --length;
-      if (word != "*" && word != path[static_cast<std::size_t>(length)]) return false;
-      rest.remove_prefix(dot + 1);
-    }
-  }
-
-  constexpr void add_observers(int capacity) {
-    for (int i = 0; i < g.input_count; ++i) {
-      const auto& port = port_of(g, g.inputs[i]);
-      if (port.space) continue;
-      const int from = g.nodes[g.calls[g.inputs[i].call].node].scope;
-      if (!port.optional) {
-        add_source(i, port.name, from);
-        continue;
-      }
-      for (int o = 0; o < g.output_count && g.link_count < capacity; ++o)
-        if (g.outputs[o].call != g.inputs[i].call && under(g.outputs[o], port.name, from)) {
-          g.links[g.link_count++] = {i, o};
-          g.inputs[i].wired = true;
-        }
-    }
-  }
-
-  // The one output that an observer names: in its own graph, else in the nearest graph around it.
-  constexpr void add_source(int i, std::string_view path, int from) {
-    for (int s = from; s >= 0; s = g.scopes[s].parent)
-      if (const int o = find(names, mask, path_hash(g.scopes[s], path, hash(path)) ^ as_output); o >= 0) {
-        g.links[g.link_count++] = {i, o};
-        g.inputs[i].wired = true;
-        return;
-      }
-  }
-
-  // An `observe` among the items of a graph: what it names can be read between beats.
-  constexpr void add_watch(const item_info& item, int in_scope) {
-    bool found = false;
-    for (int o = 0; o < g.output_count; ++o)
-      if (under(g.outputs[o], item.from, in_scope)) found = g.outputs[o].watched = true;
-    if (!found) check<when::unknown_port>(g, {.item = &item, .scope = in_scope});
-  }
-
   // A part that a component stops or starts: in its own graph, else in the nearest graph around it.
   constexpr void find_part_of(part_request& request, std::string_view path) {
     const auto& t = g.calls[request.call];
@@ -159,29 +102,28 @@ struct connector {
       check<when::unknown_part>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .name = path});
   }
 
-  constexpr void run(int link_capacity) {
+  constexpr void run() {
     for (int s = 0; s < g.scope_count; ++s) {
       const auto& graph = *g.scopes[s].graph;
       for (int i = 0; i < graph.count; ++i)
         if (graph.items[i].kind == item_kind::wire) add_wire(graph.items[i], s);
-        else if (graph.items[i].kind == item_kind::observe) add_watch(graph.items[i], s);
     }
-    add_observers(link_capacity);
     for (int r = 0; r < g.request_count; ++r) {
       const auto& t = g.calls[g.requests[r].call];
       find_part_of(g.requests[r], t.function->asked_parts[r - t.first_request].path);
     }
     for (int i = 0; i < g.input_count; ++i) {
       const auto& t = g.calls[g.inputs[i].call];
-      if (!g.inputs[i].wired)
+      if (!g.inputs[i].wired && port_of(g, g.inputs[i]).space)
         check<when::open_input>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .input = i});
     }
   }
 };
 
-constexpr flat_view connect(flat_view g, const table_entry* names, std::uint64_t mask, int link_capacity) {
+constexpr flat_view connect(flat_view g, const table_entry* names, std::uint64_t mask) {
   connector step{g, names, mask};
-  step.run(link_capacity);
+  step.run();
+  step.g.first_link = step.g.input_count;
   return step.g;
 }
 

@@ -23,12 +23,10 @@ struct loop_search {
         frame_node(g.node_count),
         frame_edge(g.node_count),
         edge_head(g.node_count, -1),
-        edge_next(g.input_count + g.link_count),
-        edge_to(g.input_count + g.link_count) {
+        edge_next(g.input_count),
+        edge_to(g.input_count) {
     for (int i = 0; i < g.input_count; ++i)
       if (g.inputs[i].writer >= 0) add_edge(g.outputs[g.inputs[i].writer].call, g.inputs[i].call);
-    for (int l = 0; l < g.link_count; ++l)
-      add_edge(g.outputs[g.links[l].output].call, g.inputs[g.links[l].input].call);
     for (int v = 0; v < g.node_count; ++v)
       if (number[v] < 0) visit(v);
   }
@@ -79,8 +77,6 @@ struct loop_search {
 constexpr bool has_delays(const flat_view& g) {
   for (int i = 0; i < g.input_count; ++i)
     if (g.inputs[i].delay > 0) return true;
-  for (int l = 0; l < g.link_count; ++l)
-    if (delay_of(g, g.links[l]) > 0) return true;
   return false;
 }
 
@@ -95,10 +91,6 @@ constexpr flat_view find_feedback(flat_view g) {
       auto& whole = g.inputs[in.way_of];
       whole.counts_vary |= in.counts != whole.counts;
     }
-  }
-  for (int l = 0; l < g.link_count; ++l) {
-    auto& link = g.links[l];
-    if (delay_of(g, link) > 0) link.counts = !loops.closes(g.inputs[link.input].call, link.output);
   }
   return g;
 }

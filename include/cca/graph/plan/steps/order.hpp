@@ -8,17 +8,18 @@
 
 namespace cca::detail {
 
-// Calls f(reader's call) for each wire and observer without delay that leaves a call.
+// Calls f(reader's call) for each wire without delay that leaves a call. An observer of what waits in a queue
+// comes after all that is brought there.
 template <class F>
 constexpr void for_each_follower(const flat_view& g, int call_index, F f) {
   const auto& t = g.calls[call_index];
-  for (int o = t.first_output; o < t.first_output + t.function->output_count; ++o) {
+  for (int o = t.first_output; o < t.first_output + t.function->output_count; ++o)
     for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (g.inputs[i].delay == 0) f(g.inputs[i].call);
-    for (int l = 0; l < g.link_count; ++l)
-      if (g.links[l].output == o && port_of(g, g.inputs[g.links[l].input]).observed_delay == 0)
-        f(g.inputs[g.links[l].input].call);
-  }
+      if (const auto& in = g.inputs[i]; in.delay == 0) {
+        f(in.call);
+        for (int h = g.first_link; in.queue >= 0 && h < g.input_count; ++h)
+          if (g.inputs[h].shows == (in.way_of >= 0 ? in.way_of : i)) f(g.inputs[h].call);
+      }
 }
 
 // A heap with the lowest number on top.
@@ -54,6 +55,7 @@ struct call_sorter {
   constexpr bool in_declared_order() const {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& to = g.inputs[i];
+      if (to.shows >= 0) return false;
       if (to.writer < 0 || to.delay > 0) continue;
       const auto& from = g.outputs[to.writer];
       if (g.calls[from.call].phase == g.calls[to.call].phase
@@ -61,7 +63,7 @@ struct call_sorter {
               : g.calls[from.call].phase > g.calls[to.call].phase)
         return false;
     }
-    return g.link_count == 0;
+    return true;
   }
 
   constexpr void run() {

@@ -19,7 +19,7 @@ struct storage_step {
   // The component fires only when this input has just arrived: it is the only one, and no sample waits.
   constexpr bool fires_with(const input& i) const {
     const auto& c = g.calls[i.call];
-    if (!strategy_of_call(g, c).fires_on_arrival) return false;
+    if (!strategy_of_call(g, c).fires_on_arrival || !port_of(g, i).space) return false;
     int wired = 0;
     for (int other = c.first_input; other < c.first_input + c.function->input_count; ++other)
       wired += g.inputs[other].wired;
@@ -39,7 +39,7 @@ struct storage_step {
       if (in.queue >= 0 || in.in_beat || g.calls[in.call].elsewhere) continue;
       if (first) out.initial_of = in.initial;
       first = false;
-      in.own_initial = !same_initial(out.initial_of, in.initial, port_of(g, in).space->size);
+      in.own_initial = !same_initial(out.initial_of, in.initial, port_of(g, out).space->size);
     }
   }
 
@@ -57,6 +57,10 @@ struct storage_step {
       auto& in = g.inputs[i];
       if (in.queue >= 0 || g.calls[in.call].elsewhere) continue;
       is_read = true;
+      if (in.watched) {  // it is looked at when the beat is over
+        depth = in.delay + 1 > depth ? in.delay + 1 : depth;
+        outlives_beat = true;
+      }
       if (in.delay > 0) {
         read_later(in.delay, in.call);
       } else {
@@ -67,9 +71,6 @@ struct storage_step {
         if (!in.in_beat || !in_one_part(g, in.call, out.call)) outlives_beat = true;
       }
     }
-    for (int l = 0; l < g.link_count; ++l)
-      if (g.links[l].output == o && !g.calls[g.inputs[g.links[l].input].call].elsewhere)
-        read_later(delay_of(g, g.links[l]), g.inputs[g.links[l].input].call);
 
     out.storage = !is_read               ? storage_kind::none
                   : comes_from_elsewhere ? storage_kind::arriving

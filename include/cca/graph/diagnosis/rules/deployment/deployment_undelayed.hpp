@@ -10,14 +10,15 @@ struct deployment_undelayed {
 
   static constexpr bool is_broken(when::crossing, const flat_view& g, const finding& f) {
     const auto& in = g.inputs[f.input];
-    return (in.writer >= 0 ? in.delay : port_of(g, in).observed_delay) < 1;
+    return in.delay < 1;
   }
 
   static constexpr void tell(auto& m) {
     const auto& in = m.g.inputs[m.found().input];
     const auto& out = m.g.outputs[m.found().output];
     const auto environment_of = [&](int call) { return m.g.nodes[m.g.calls[call].node].environment; };
-    if (in.writer >= 0) {
+    const bool is_wire = bool(port_of(m.g, in).space);
+    if (is_wire) {
       m.at_wire();
       m.port(out);
     } else {
@@ -31,12 +32,12 @@ struct deployment_undelayed {
     m.say() << " and read in ";
     m.environment(environment_of(in.call));
     m.say() << ", so it takes at least a beat to get there: ";
-    if (in.writer >= 0 && m.graph().inner != wires_of::nobody) return tell_skeleton(m, is_queued(in));
+    if (is_wire && m.graph().inner != wires_of::nobody) return tell_skeleton(m, is_queued(in));
     m.say() << "write ";
-    if (in.writer >= 0 && is_queued(in)) tell_queue(m);
-    else if (in.writer >= 0) m.wire_with(m.item().from, m.item().to, "cca::delayed<1>");
+    if (is_wire && is_queued(in)) tell_queue(m);
+    else if (is_wire) m.wire_with(m.item().from, m.item().to, "cca::delayed<1>");
     else m.say() << "cca::observe<`" << port_of(m.g, in).name << "`, cca::delayed<1>>";
-    if (in.writer >= 0 && m.found().scope > 0) m.say() << " in " << m.graph().name;
+    if (is_wire && m.found().scope > 0) m.say() << " in " << m.graph().name;
     m.say() << ", or a greater delay, or place both in one environment";
   }
 

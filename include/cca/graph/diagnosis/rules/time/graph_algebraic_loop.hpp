@@ -40,9 +40,10 @@ private:
   // The loop goes through an observer.
   static constexpr void tell_observer(auto& m) {
     for (int l = 0; l < m.g.link_count; ++l) {
-      const auto& observer = m.g.inputs[m.g.links[l].input];
+      const auto& observer = m.g.inputs[m.g.first_link + l];
       const auto& observed = m.g.outputs[m.g.links[l].output];
-      if (m.g.calls[observer.call].rank >= 0 || m.g.calls[observed.call].rank >= 0) continue;
+      if (observer.delay > 0 || m.g.calls[observer.call].rank >= 0 || m.g.calls[observed.call].rank >= 0)
+        continue;
       const auto path = port_of(m.g, observer).name;
       add_node_path(m.where, m.g, m.g.calls[observer.call].node);
       m.say() << "`" << m.where.view() << "` observes `" << path << "`, and so ";

@@ -18,10 +18,14 @@ struct queue_overflow {
   }
 
   static constexpr void tell(auto& m) {
-    m.at_wire();
-    if (is_merged(m.g.inputs[m.found().input])) return tell_merged(m);
+    if (is_merged(m.g.inputs[m.found().input])) {
+      m.at_wire();
+      return tell_merged(m);
+    }
     const auto& out = m.g.outputs[m.found().output];
     const auto& in = m.g.inputs[m.found().input];
+    if (port_of(m.g, in).space) m.at_wire();
+    else add_node_path(m.where, m.g, m.g.calls[in.call].node);
     const auto from = published(m.g, out), to = m.g.calls[in.call].fires;
     m.two_clocks(out, in);
     m.say() << ", so the queue of " << m.item().capacity

@@ -10,7 +10,7 @@ struct wire_unconnected_input {
 
   static constexpr bool is_broken(when::open_input, const flat_view& g, const finding& f) {
     const auto& port = port_of(g, g.inputs[f.input]);
-    return !port.optional && port.space;  // an observer that hears nothing: wire.unknown_port
+    return !port.optional;
   }
 
   static constexpr void tell(auto& m) {

@@ -12,29 +12,9 @@ struct wire_unknown_port {
   static constexpr bool is_broken(when::unknown_port, const flat_view&, const finding& f) {
     return !f.is_opposite;
   }
-  // An observer that names one output.
-  static constexpr bool is_broken(when::open_input, const flat_view& g, const finding& f) {
-    const auto& port = port_of(g, g.inputs[f.input]);
-    return !port.optional && !port.space;
-  }
 
   static constexpr void tell(auto& m) {
     const auto& item = m.item();
-    if (item.kind == item_kind::node) {
-      m.at_node();
-      m.node();
-      m.say() << " names `" << port_of(m.g, m.g.inputs[m.found().input]).name
-              << "`, but neither its graph nor one around it has such an output: write the path from the "
-                 "nodes of one of these graphs on, as in `node.port`";
-      return;
-    }
-    if (item.kind == item_kind::observe) {
-      m.at_node();
-      m.say() << "cca::observe<`" << item.from << "`> in " << m.graph().name
-              << " matches no output: write the path from the nodes of this graph on, as in `node.port` or "
-                 "`node.*`";
-      return;
-    }
     m.at_wire();
     const auto wrong = m.found().at_reader ? item.to : item.from;
     tell_item(m);

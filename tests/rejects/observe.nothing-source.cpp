@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: `watchdog\.watch` .*names `leg\.angels`, but neither its graph nor one around it has such an output
-// A watchdog of one source names an output that exists.
+// EXPECT: observe\.nothing: `watchdog\.watch` .*observes `leg\.angels`, which names nothing in .* or in a graph around it, so it would hear nothing; did you mean `leg\.angles`\?
+// A watchdog of one source observes it, so it names one that exists.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: cca::observe<`gpc\.\*`> in walk matches no output: write the path from the nodes of this graph on, as in
-// An `observe` names outputs that exist.
+// EXPECT: observe\.nothing: cca::observe<`gpc\.\*`> in walk names nothing, neither in walk nor in a graph around it, so it would hear nothing; did you mean `cpg\.\*`\?
+// So does what a graph observes for programs.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

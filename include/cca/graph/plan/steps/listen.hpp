@@ -1,0 +1,124 @@
+// Step 3, listen: binds observers to what their patterns name. An observer reads each of them as over a wire
+// of its own, by an input behind those of all ports, so the steps that follow know nothing of observers. What
+// a graph itself observes is marked: it can be read between beats.
+//
+// Asks the rules about patterns. Cost: none in a graph that observes nothing.
+#pragma once
+
+#include <cca/graph/plan/patterns.hpp>
+#include <cca/graph/plan/steps/connect.hpp>
+
+namespace cca::detail {
+
+struct listener {
+  flat_view g;
+
+  constexpr void hear(int observer, int writer, int shown, ref<item_info> as) {
+    const auto& own = g.inputs[observer];
+    const auto& policy = port_of(g, own).policy();
+    const int reader = g.input_count++;
+    g.links[g.link_count++] = {observer, writer, shown, as};
+    auto& in = g.inputs[reader];
+    in = {.call = own.call, .port = own.port};
+    if (shown < 0) {
+      bind_wire(g, writer, reader, policy);
+      if (policy.has_queue()) in.queue = g.queue_count++;
+      return;
+    }
+    // What another input shows: the same sample, as late as there. What waits in a queue is read from there.
+    const auto& from = g.inputs[shown];
+    in.initial = from.initial;
+    if (from.queue < 0) {
+      bind_wire(g, writer, reader, *from.wire);
+    } else {
+      in.writer = writer;
+      in.wire = from.wire;
+      in.delay = from.delay;
+      in.shows = shown;
+    }
+    in.delay += policy.delay;
+    const auto& t = g.calls[own.call];
+    check<when::heard_input>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .input = reader});
+  }
+
+  constexpr void add_observer(int i) {
+    const auto& port = port_of(g, g.inputs[i]);
+    const auto& t = g.calls[g.inputs[i].call];
+    const finding facts{.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .input = i};
+    check<when::observer_policy>(g, facts);
+    const int heard =
+        for_each_named(g, port.name, facts.scope, g.inputs[i].call,
+                       [&](int writer, int input, ref<item_info> as) { hear(i, writer, input, as); });
+    g.inputs[i].wired = heard > 0;
+    if (heard == 0) check<when::unheard_pattern>(g, facts);
+  }
+
+  constexpr void add_watch(const item_info& item, int in_scope) {
+    const finding facts{.item = &item, .scope = in_scope};
+    check<when::observer_policy>(g, facts);
+    const auto mark = [](auto& port, ref<item_info> as) {
+      if (!port.watched) port.watched_as = as;
+      port.watched = true;
+    };
+    const int heard =
+        for_each_named(g, item.from, in_scope, -1, [&](int writer, int input, ref<item_info> as) {
+          if (input < 0) mark(g.outputs[writer], as);
+          else mark(g.inputs[input], as);
+        });
+    if (heard == 0) check<when::unheard_pattern>(g, facts);
+  }
+
+  // What it asks for, in the functions that observe.
+  constexpr void check_paths(int node) {
+    const auto& item = *g.nodes[node].item;
+    const auto& component = *item.component;
+    const int scope = g.nodes[node].scope;
+    for (int c = g.nodes[node].first_call; c < g.nodes[node].first_call + g.nodes[node].call_count; ++c) {
+      bool observes = false;
+      for_each_observer(g, c, [&](const input&) { observes = true; });
+      for (int p = 0; observes && p < component.asked_path_count; ++p) {
+        const auto& asked = component.asked_paths[p];
+        const int link = link_at(g, c, asked.path, scope);
+        check<when::asked_path>(g, {.item = &item,
+                                    .scope = scope,
+                                    .call = c,
+                                    .input = link < 0 ? -1 : g.first_link + link,
+                                    .output = link < 0 ? -1 : g.links[link].output,
+                                    .axis = asked.axis,
+                                    .name = asked.path});
+      }
+    }
+  }
+
+  constexpr void run() {
+    for (int s = 0; s < g.scope_count; ++s)
+      for (int i = 0; i < g.scopes[s].graph->count; ++i)
+        if (const auto& item = g.scopes[s].graph->items[i]; item.kind == item_kind::observe)
+          add_watch(item, s);
+    for (int i = 0; i < g.first_link; ++i)
+      if (!port_of(g, g.inputs[i]).space) add_observer(i);
+    for (int n = 0; n < g.node_count; ++n)
+      if (g.nodes[n].item->component->asked_path_count > 0) check_paths(n);
+  }
+};
+
+// How many links the observers of a connected graph have.
+constexpr int count_links(const flat_view& g) {
+  int count = 0;
+  for (int i = 0; i < g.first_link; ++i) {
+    const auto& in = g.inputs[i];
+    if (!port_of(g, in).space)
+      count += for_each_named(g, port_of(g, in).name, scope_of_call(g, g.calls[in.call]), in.call,
+                              [](int, int, ref<item_info>) {});
+  }
+  return count;
+}
+
+// The step.
+constexpr flat_view listen(flat_view g) {
+  listener step{g};
+  step.run();
+  return step.g;
+}
+
+}  // namespace cca::detail

@@ -1,0 +1,175 @@
+// Rules about patterns: observe.nothing, observe.bad_policy, observe.queue, plan.unknown_path.
+#include <array>
+
+#include <cca/adaptive/sequencer.hpp>
+#include <cca/deployment.hpp>
+
+#include "rules_parts.hpp"
+
+using namespace parts;
+
+namespace {
+
+template <cca::fixed_string Pattern, class... Policy>
+struct log {
+  void process(cca::observe<Pattern, Policy...>) {}
+};
+template <class... Items>
+struct chain : khz<cca::node<"source", source<>>,
+                   cca::node<"step", step<>>,
+                   cca::wire<"source.y", "step.x">,
+                   Items...> {};
+template <cca::fixed_string Pattern, class... Policy>
+struct hears : chain<cca::node<"log", log<Pattern, Policy...>>> {};
+
+// ---- what patterns name ----
+
+template <cca::fixed_string Pattern>
+constexpr bool names = cca::well_formed<hears<Pattern>>;
+template <cca::fixed_string Pattern>
+constexpr bool names_nothing = cca::diagnosis<hears<Pattern>>.rule == "observe.nothing";
+
+static_assert(names<"source.y"> && names<"*.*"> && names<"*.y"> && names<"source.*">);
+static_assert(names<"**"> && names<"**.y"> && names<"**.*"> && names<"source.**"> && names<"**.source.**.y">);
+static_assert(names<"/source.y"> && names<"/**">);
+static_assert(names<"step.x.**">);  // an input, and nothing below it
+static_assert(names<"nobody.*|step.y"> && names<"step.y|/nobody.*">);
+static_assert(names_nothing<"*"> && names_nothing<"*.*.*"> && names_nothing<"source"> && names_nothing<"">);
+static_assert(names_nothing<"step.x"> && names_nothing<"*.x"> && names_nothing<"source..y">);
+static_assert(names_nothing<"/"> && names_nothing<"source.y.*"> && names_nothing<"log.**">);
+
+// ---- where they are looked up ----
+
+struct skill : cca::graph<cca::node<"core", source<>>, cca::expose<"core.y", "y">> {};
+template <cca::fixed_string Pattern>
+struct mind : cca::graph<cca::node<"own", source<>>, cca::node<"log", log<Pattern>>> {};
+template <cca::fixed_string Pattern>
+struct around : khz<cca::node<"mind", mind<Pattern>>, cca::node<"skill", skill>, cca::node<"own", source<>>> {
+};
+
+template <cca::fixed_string Pattern>
+constexpr int heard = cca::detail::link_count_of<around<Pattern>>;
+
+static_assert(heard<"own.y"> == 1);   // that of its own graph
+static_assert(heard<"/own.y"> == 1);  // the outermost
+static_assert(heard<"/**.own.y"> == 2);
+static_assert(heard<"skill.core.y"> == 1);  // in the graph around it
+static_assert(heard<"skill.y"> == 1);       // as the graph exposes it
+static_assert(heard<"skill.*"> == 1);
+static_assert(heard<"skill.**"> == 1);  // one output, though it has two names
+static_assert(heard<"*.y"> == 1);
+static_assert(heard<"/*.y"> == 2);
+static_assert(heard<"/**"> == 3);
+static_assert(heard<"mind.own.y"> == 1);
+
+// ---- observe.nothing ----
+
+static_assert(tells<hears<"suorce.*">, hears<"source.*">>(
+    {"observe.nothing", "log",
+     "`log` (log<suorce.*>) observes `suorce.*`, which names nothing in hears<suorce.*> or in a graph around "
+     "it, so it would hear nothing; did you mean `source.*`?"}));
+
+struct misheard : chain<cca::observe<"c.*">> {};
+struct watched : chain<cca::observe<"source.*">> {};
+static_assert(tells<misheard, watched>({"observe.nothing", "c.*",
+                                        "cca::observe<`c.*`> in misheard names nothing, neither in misheard "
+                                        "nor in a graph around it, so it would "
+                                        "hear nothing: write the path of a port from the nodes of one of "
+                                        "these graphs on, as in `node.port`; `*` "
+                                        "stands for one name, and `**` for any number of names"}));
+
+// A graph, or its scope, stands for all that is under it.
+struct in_chain : khz<cca::node<"inner", chain<>>, cca::node<"log", log<"inner.*">>> {};
+struct in_chain_mended : khz<cca::node<"inner", chain<>>, cca::node<"log", log<"inner.**">>> {};
+static_assert(tells<in_chain, in_chain_mended>({"observe.nothing", "log",
+                                                "`log` (log<inner.*>) observes `inner.*`, which names "
+                                                "nothing in in_chain or in a graph around it, so it "
+                                                "would hear nothing; did you mean `inner.**`?"}));
+struct at_outermost : khz<cca::node<"mind", mind<"/sikll.**">>, cca::node<"skill", skill>> {};
+struct at_outermost_mended : khz<cca::node<"mind", mind<"/skill.**">>, cca::node<"skill", skill>> {};
+static_assert(tells<at_outermost, at_outermost_mended>(
+    {"observe.nothing", "mind.log",
+     "`mind.log` (log</sikll.**>) observes `/sikll.**`, which names nothing in at_outermost, the outermost "
+     "graph, so it would hear nothing; did you mean `/skill.**`?"}));
+
+// ---- observe.bad_policy ----
+
+using two = cca::queue<2, cca::drop_oldest>;
+static_assert(cca::well_formed<hears<"**", cca::latest>> && cca::well_formed<hears<"**", cca::delayed<3>>> &&
+              cca::well_formed<hears<"**", two>>);
+static_assert(cca::diagnosis<hears<"**", cca::delayed<0>>>.rule == "observe.bad_policy");
+static_assert(tells<hears<"**", int>, hears<"**", cca::latest>>(
+    {"observe.bad_policy", "log",
+     "cca::observe<`**`> of `log` (log<**, int>) has `int`, which is no policy of an observer: write "
+     "cca::latest, cca::delayed<N> or cca::queue<C, F>, each as on a wire"}));
+static_assert(cca::diagnosis<hears<"**", cca::initial<1>>>.rule == "observe.bad_policy");
+struct watched_late : chain<cca::observe<"**", cca::delayed<1>>> {};
+static_assert(tells<watched_late, watched>(
+    {"observe.bad_policy", "**",
+     "cca::observe<`**`> in watched_late has a policy, but the program reads the newest samples, between two "
+     "beats: leave it out"}));
+
+// A queue that rejects is looked at as on a wire.
+template <class Strategy>
+struct rejecting : khz<cca::node<"source", source<>>,
+                       cca::node<"log", log<"source.y", cca::queue<2, cca::reject>>, Strategy>> {};
+static_assert(tells<rejecting<cca::timed<2>>, rejecting<cca::timed<1>>>(
+    {"queue.overflow", "log",
+     "`source.y` is published every beat but `log.source.y` is read every 2 beats, so the queue of 2 between "
+     "them is full sooner or later, which cca::reject forbids: read faster, or say what is lost: "
+     "cca::drop_oldest or cca::drop_newest"}));
+
+// ---- observe.queue ----
+
+template <cca::fixed_string Pattern, class... Policy>
+struct beside_queue : khz<cca::node<"source", source<>>,
+                          cca::node<"step", step<>, cca::timed<1>>,
+                          cca::wire<"source.y", "step.x", two>,
+                          cca::node<"log", log<Pattern, Policy...>>> {};
+static_assert(cca::well_formed<beside_queue<"**">>);
+static_assert(tells<beside_queue<"step.**", cca::delayed<1>>, beside_queue<"step.**.*", cca::delayed<1>>>(
+    {"observe.queue", "log",
+     "`log` (log<step.**, cca::delayed<1>>) observes `step.**`, and so the input `step.x` later than it is "
+     "read, but that has a queue, and what waits in a queue is gone once it was read: observe the outputs "
+     "alone, with `step.**.*`, or observe it without a delay, in the same environment"}));
+
+// ---- plan.unknown_path ----
+
+struct state_of_skill {
+  auto process(cca::beat) -> cca::out<"status", cca::component_status_port> { return {}; }
+};
+template <cca::fixed_string Path>
+struct plan : cca::steps<cca::step<"wait">, cca::step<"go", cca::is<Path, 1>>> {};
+template <int Axis>
+struct plan_of_axis : cca::steps<cca::step<"wait">, cca::step<"go", cca::is<"reach.status", 1, Axis>>> {};
+template <class Plan>
+struct leader_of : cca::sequencer<"*.status.*", Plan> {};
+template <class Plan>
+struct led : khz<cca::node<"reach", state_of_skill>, cca::node<"leader", leader_of<Plan>>> {};
+static_assert(tells<led<plan<"raech.status">>, led<plan<"reach.status">>>(
+    {"plan.unknown_path", "leader",
+     "`leader` (leader_of<plan<raech.status>>) asks for `raech.status`, which nobody publishes "
+     "under what it observes (`*.status.*|*.status`), so it would wait for ever; did you mean "
+     "`reach.status`?"}));
+static_assert(tells<led<plan_of_axis<1>>, led<plan_of_axis<0>>>(
+    {"plan.unknown_path", "leader",
+     "`leader` (leader_of<plan_of_axis<1>>) asks for number 1 of `reach.status`, which has 1 "
+     "number: count from 0"}));
+
+template <class... Conditions>
+struct combined : cca::steps<cca::step<"wait">, cca::step<"go", Conditions...>> {};
+using known = cca::above<"reach.status", 1.0>;
+using unknown = cca::above<"nobody.status", 1.0>;
+static_assert(cca::well_formed<led<combined<known, cca::any<known, cca::no<known>>>>>);
+static_assert(!cca::well_formed<led<combined<known, unknown>>>);
+static_assert(!cca::well_formed<led<combined<cca::any<cca::after<3>, cca::no<unknown>>>>>);
+
+// The sequencer in an inner graph: its paths begin where it stands, or in a graph around it.
+template <cca::fixed_string Path>
+struct led_inside : khz<cca::node<"mind", led<plan<Path>>>, cca::node<"arm", state_of_skill>> {};
+static_assert(cca::well_formed<led_inside<"reach.status">> &&
+              cca::well_formed<led_inside<"mind.reach.status">> &&
+              cca::well_formed<led_inside<"/mind.reach.status">>);
+static_assert(!cca::well_formed<led_inside<"arm.status">>);  // the sequencer hears its own graph alone
+
+}  // namespace
