@@ -24,7 +24,9 @@
 #include <cca/motor/generator.hpp>
 #include <cca/motor/gmr.hpp>
 #include <cca/motor/modules/gmr_module.hpp>
+#include <cca/motor/hidden_markov_learning.hpp>
 #include <cca/motor/hmm_motion.hpp>
+#include <cca/motor/modules/hmm_module.hpp>
 #include <cca/motor/hopf.hpp>
 #include <cca/motor/equations/hopf_ode.hpp>
 #include <cca/motor/equations/oscillator_network_ode.hpp>

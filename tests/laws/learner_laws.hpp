@@ -1,8 +1,9 @@
 // The laws of a Learner, stated once and run for every learner.
 //
 // A case has `Case::learner`; `Case::input(source)`, a random input of its trained region; `Case::truth(x)`,
-// the function to learn; `Case::far()`, an input far from the region; `Case::left`, the largest fraction of
-// the error that may remain. `laws::allocations()` counts calls of malloc; the test program defines it.
+// the function to learn (or, instead of both, `Case::sequence(count, seed)`: examples in an order);
+// `Case::far()`, an input far from the region; `Case::left`, the largest fraction of the error that may
+// remain. `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,7 @@ template <class Case>
 using example_of = cca::example<typename Case::learner::model>;
 
 template <class Case>
-std::vector<example_of<Case>> examples(int count, std::uint64_t seed) {
+std::vector<example_of<Case>> scattered_examples(int count, std::uint64_t seed) {
   ode_source random{std::mt19937_64{seed}};
   std::vector<example_of<Case>> all;
   for (int i = 0; i < count; ++i) {
@@ -29,6 +30,15 @@ std::vector<example_of<Case>> examples(int count, std::uint64_t seed) {
     all.push_back({x, Case::truth(x)});
   }
   return all;
+}
+
+template <class Case>
+std::vector<example_of<Case>> examples(int count, std::uint64_t seed) {
+  if constexpr (requires { Case::sequence(count, seed); }) {
+    return Case::sequence(count, seed);
+  } else {
+    return scattered_examples<Case>(count, seed);
+  }
 }
 
 template <class Case>

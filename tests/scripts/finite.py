@@ -46,6 +46,7 @@ WITHOUT = {
     "mapping/network/feed_forward.hpp": "tested within policy",
     "motor/modules/discrete_motion.hpp": "tested as dmp_discrete_module and dmp_pose_module",
     "motor/gaussian_mixture_learning.hpp": "learns between beats",
+    "motor/hidden_markov_learning.hpp": "learns between beats",
     "motor/spaces.hpp": FUNCTION,
     "robot/unreadable_fault.hpp": "reads a status and keeps a count",
     "robot/body.hpp": FUNCTION,

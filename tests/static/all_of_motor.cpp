@@ -7,6 +7,7 @@ using cca::dmp_discrete;
 using cca::gait_network;
 using cca::generator;
 using cca::gmr;
+using cca::hmm_module;
 using cca::hmm_motion;
 using cca::hopf;
 using cca::pid;

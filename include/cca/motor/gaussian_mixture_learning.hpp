@@ -79,7 +79,7 @@ struct expectation_maximisation {
   };
 
   static bool inside(const learned& known, const input& x, const settings&) {
-    return input_likelihood(known.function, x) >= known.least_likely;
+    return detail::log_likelihood(known.function, known.function.priors, x) >= known.least_likely;
   }
 
   static learned batch(std::span<const example<model>> examples, const settings& s) {
@@ -97,34 +97,12 @@ struct expectation_maximisation {
       if (done) break;
     }
     for (const auto& one : examples)
-      known.least_likely = std::min(known.least_likely, input_likelihood(known.function, one.x));
+      known.least_likely =
+          std::min(known.least_likely, detail::log_likelihood(known.function, known.function.priors, one.x));
     return known;
   }
 
 private:
-  // log N(x; m, S)
-  template <int N>
-  static double density(const Eigen::Matrix<double, N, 1>& off, const Eigen::Matrix<double, N, N>& S) {
-    const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(S);
-    double half_log_determinant = 0;
-    for (int i = 0; i < N; ++i) half_log_determinant += std::log(factor.matrixLLT()(i, i));
-    return -0.5 * off.dot(factor.solve(off)) - half_log_determinant -
-           0.5 * N * std::log(2 * std::numbers::pi);
-  }
-  template <class Logarithms>
-  static double log_sum(const Logarithms& logarithms) {
-    const double top = logarithms.maxCoeff();
-    return top + std::log((logarithms.array() - top).exp().sum());
-  }
-  static double input_likelihood(const parameters& p, const input& x) {
-    Eigen::Matrix<double, K, 1> each;
-    for (int k = 0; k < K; ++k)
-      each[k] =
-          std::log(p.priors[k]) + density<model::I>(x - p.means.col(k).template head<model::I>(),
-                                                    p.block(p.covariances[static_cast<std::size_t>(k)]));
-    return log_sum(each);
-  }
-
   // Assigns each example to the nearest of K examples that lie far apart.
   static Eigen::MatrixXd first_guess(const std::vector<point>& points) {
     const auto apart = covered_region<size, K>::over(points);
@@ -161,9 +139,10 @@ private:
     for (std::size_t t = 0; t < points.size(); ++t) {
       Eigen::Matrix<double, K, 1> each;
       for (int k = 0; k < K; ++k)
-        each[k] = std::log(p.priors[k]) +
-                  density<size>(points[t] - p.means.col(k), p.covariances[static_cast<std::size_t>(k)]);
-      const double all = log_sum(each);
+        each[k] =
+            std::log(p.priors[k]) +
+            detail::log_density<size>(points[t] - p.means.col(k), p.covariances[static_cast<std::size_t>(k)]);
+      const double all = detail::log_sum(each);
       r.col(static_cast<Eigen::Index>(t)) = (each.array() - all).exp();
       sum += all;
     }

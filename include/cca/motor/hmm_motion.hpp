@@ -13,7 +13,8 @@
 //
 // The mixture is over (position, velocity). Row j of `transitions` holds the probabilities of leaving state
 // j; they belong to the clock at which they were learned. The sequence of states distinguishes parts of the
-// movement that cross at one place; a mixture alone cannot.
+// movement that cross at one place; a mixture alone cannot. hidden_markov_learning.hpp learns both parameters
+// from demonstrations; modules/hmm_module.hpp is a whole adaptive module.
 //
 // Inputs (input_status.hpp): while the position is NaN or infinite, the states stay and the velocity is 0,
 // with the status `unreadable`; beyond 1e12 it is cut, with the status `clamped`. So is a position at which

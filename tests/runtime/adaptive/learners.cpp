@@ -5,6 +5,7 @@
 #include <cca/adaptive/recursive_least_squares.hpp>
 #include <cca/motor/gaussian_mixture_learning.hpp>
 #include <cca/motor/gmr.hpp>
+#include <cca/motor/hidden_markov_learning.hpp>
 
 #include "../../laws/learner_laws.hpp"
 #include "../../laws/request_laws.hpp"
@@ -77,6 +78,23 @@ struct gmr_case {
   static one far() { return one(4); }
 };
 
+// Along a path, four times.
+struct hidden_case {
+  using learner = cca::baum_welch<cca::hidden_markov_function<leg, cca::velocity_of<leg>, 12>>;
+  static constexpr double left = 0.06;
+  static auto sequence(int count, std::uint64_t seed) {
+    laws::ode_source random{std::mt19937_64{seed}};
+    std::vector<laws::example_of<hidden_case>> all;
+    for (int i = 0; i < count; ++i) {
+      const int step = i % (count / 4);
+      const double s = 8.0 * step / count + random(0, 1e-3);
+      all.push_back({{s, 0.5 * std::sin(2 * s)}, {0.8, 0.8 * std::cos(2 * s)}, step == 0});
+    }
+    return all;
+  }
+  static Eigen::Vector2d far() { return {1, -2}; }
+};
+
 }  // namespace
 
 TEST_CASE("locally weighted regression obeys the laws of a learner") {
@@ -86,12 +104,14 @@ TEST_CASE("locally weighted regression obeys the laws of a learner") {
 TEST_CASE("recursive least squares obeys the laws of a learner") { laws::learner<rls_case>(); }
 TEST_CASE("an extreme learning machine obeys the laws of a learner") { laws::learner<elm_case>(); }
 TEST_CASE("a Gaussian mixture obeys the laws of a learner") { laws::learner<gmr_case>(); }
+TEST_CASE("a hidden Markov model obeys the laws of a learner") { laws::learner<hidden_case>(); }
 TEST_CASE("every learner answers every request, and does what it says") {
   laws::requests<laws::lone_learner<lwr_case>>();
   laws::requests<laws::lone_learner<discrete_case>>();
   laws::requests<laws::lone_learner<rls_case>>();
   laws::requests<laws::lone_learner<elm_case>>();
   laws::requests<laws::lone_learner<gmr_case>>();
+  laws::requests<laws::lone_learner<hidden_case>>();
   laws::requests<laws::lone_learner<online_only_case>>();
 }
 

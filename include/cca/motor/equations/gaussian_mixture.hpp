@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 
 #include <Eigen/Cholesky>
@@ -68,6 +69,39 @@ struct gaussian_mixture {
     return whole.template topLeftCorner<I, I>();
   }
 };
+
+namespace detail {
+
+// log N(x; m, S), where off = x - m.
+template <int N>
+double log_density(const Eigen::Matrix<double, N, 1>& off, const Eigen::Matrix<double, N, N>& S) {
+  const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(S);
+  double half_log_determinant = 0;
+  for (int i = 0; i < N; ++i) half_log_determinant += std::log(factor.matrixLLT()(i, i));
+  return -0.5 * off.dot(factor.solve(off)) - half_log_determinant - 0.5 * N * std::log(2 * std::numbers::pi);
+}
+
+// The logarithm of a sum, from the logarithms of its terms.
+template <class Logarithms>
+double log_sum(const Logarithms& logarithms) {
+  const double top = logarithms.maxCoeff();
+  return top + std::log((logarithms.array() - top).exp().sum());
+}
+
+// The logarithm of the likelihood of an input, with these priors.
+template <int I, int O, int K>
+double log_likelihood(const gaussian_mixture<I, O, K>& model,
+                      const Eigen::Matrix<double, K, 1>& priors,
+                      const Eigen::Matrix<double, I, 1>& x) {
+  Eigen::Matrix<double, K, 1> each;
+  for (int k = 0; k < K; ++k)
+    each[k] =
+        std::log(priors[k]) + log_density<I>(x - model.means.col(k).template head<I>(),
+                                             model.block(model.covariances[static_cast<std::size_t>(k)]));
+  return log_sum(each);
+}
+
+}  // namespace detail
 
 // The answer for one input: mean, covariance, and the share of each Gaussian.
 template <int O, int K>
