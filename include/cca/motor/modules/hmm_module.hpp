@@ -95,7 +95,7 @@ public:
             beat now) {
     detail::input_check read;
     const vector centre = read(reference.vector());
-    const bool is_measured = feedback && detail::has_come(feedback);
+    const bool is_measured = feedback && feedback.origin() != never;
     const vector measured = is_measured ? vector(read(feedback.vector())) : vector(vector::Zero());
     const bool can_begin = begun || (start ? detail::has_come(start) : reference.origin() != never);
     maybe<"command", S> command;
