@@ -1,4 +1,4 @@
-// EXPECT: deployment\.bad_environment: environment `control` has the option `nodes<.*>`, but its options are cca::realtime<Priority, cca::on_core<N>> and cca::realtime_if_allowed: write one of them, or none \(all nodes go into one cca::nodes<\.\.\.>\)
+// EXPECT: deployment\.bad_environment: environment `control` has the option `nodes<.*>`, but its options are cca::realtime<Priority, cca::on_core<N>>, cca::realtime_if_allowed and cca::free_running: write one of them, or none \(all nodes go into one cca::nodes<\.\.\.>\)
 // An environment has one cca::nodes<...>, in which all its nodes are.
 #include <cca/deployment.hpp>
 

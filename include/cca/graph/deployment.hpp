@@ -21,9 +21,15 @@ struct nodes {};
 // All components that no other environment names.
 struct other_nodes {};
 
-// Options: how its thread runs (runtime/environments/realtime.hpp).
+// Options: how its thread runs (runtime/environments/realtime.hpp), and `free_running`.
 template <fixed_string Name, class Nodes, class... Options>
 struct environment {};
+
+// An option: the environment holds components that compute as fast as they can, all of them `full_speed`. At
+// wall-clock speed a cycle of it begins as soon as the last one has ended, on the newest samples that have
+// come, and what it publishes arrives when the next beat begins. As fast as possible, and in one loop, its
+// components fire in every beat. Its wires need no `delayed`.
+struct free_running {};
 
 // At wall-clock speed: how many beats in a row a sample may come late; with more, the contact is lost.
 template <int Beats>

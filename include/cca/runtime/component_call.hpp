@@ -149,9 +149,14 @@ private:
         }
       } else {
         const bool is_first = b.k == c.own_clock.first;
+        if constexpr (runs_in_cycles<Graph>) return {true, b.state.beats_since, is_first ? -1 : b.k - 1};
         return {is_now, is_period || !is_first ? beats : 1, is_first ? -1 : b.k - beats};
       }
     }
+  }
+  CCA_INLINE std::int64_t this_beat() const {
+    if constexpr (runs_in_cycles<Graph>) return b.state.beat;
+    else return b.k;
   }
   // The first beat from which on its clock tells when it fired.
   CCA_INLINE std::int64_t known_since() const {
@@ -165,7 +170,7 @@ private:
   template <std::size_t... I>
   CCA_INLINE result call(const firing& now, std::index_sequence<I...>) const {
     using ports = function_ports<list<Parameters...>, list<>>;
-    [[maybe_unused]] const beat time{b.k, period, now.beats_since};
+    [[maybe_unused]] const beat time{this_beat(), period, now.beats_since};
     auto& self = component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
     if constexpr (c.phase == phase_of_beat::process)
       CCA_INLINE_CALL return self.process(
@@ -205,7 +210,7 @@ private:
   // The oldest origin among the inputs as they were; if none counts, the beat's time. If the compiler knows
   // that a sample has arrived, the beat does not test it: in a chain each test would wait for the one before.
   CCA_INLINE std::int64_t origin() const {
-    const std::int64_t time = b.k * period;
+    const std::int64_t time = this_beat() * period;
     if constexpr (c.phase == phase_of_beat::sense) {
       return time;
     } else {

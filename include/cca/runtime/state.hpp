@@ -20,6 +20,11 @@
 
 namespace cca::detail {
 
+// The part of a free-running environment: its beats are cycles, and what it tells components of time is of
+// the beat in which a cycle begins.
+template <class Graph>
+inline constexpr bool runs_in_cycles = false;
+
 // ---- components ----
 
 template <class Component>
@@ -84,7 +89,10 @@ struct stored_in<Graph, Array, storage_kind::past> {
 };
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::arriving> {
-  using type = arriving_samples<array_of<Graph, Array>.size, array_of<Graph, Array>.depth>;
+  static constexpr const auto& a = array_of<Graph, Array>;
+  using type = std::conditional_t<runs_in_cycles<Graph>,
+                                  samples_for_cycles<a.size, a.depth>,
+                                  arriving_samples<a.size, a.depth>>;
 };
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::queue> {

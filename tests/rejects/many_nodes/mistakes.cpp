@@ -39,6 +39,7 @@
 // EXPECT deployment_unknown_node: deployment\.unknown_node: environment `one` names `extras`, but deployable has no such node; did you mean `extra`\?
 // EXPECT deployment_unplaced: deployment\.unplaced: `n0` \(source\) runs in no environment of deployment_unplaced: add its path to the cca::nodes<\.\.\.> of this environment, or give one cca
 // EXPECT deployment_placed_twice: deployment\.placed_twice: `n49` \(sink\) runs in environment `one` and in environment `two`: a component runs in one environment; remove it from one
+// EXPECT deployment_free_running: deployment\.free_running: `extra` \(sink\) runs in environment `two`, whose cycles begin without pause, but its strategy is restless: write cca::node<`extra`, sink, cca::full_speed>
 // EXPECT deployment_undelayed: deployment\.undelayed: `n6\.y` is published in environment `two` and read in environment `one`, so it takes at least a beat to get there: write cca::wire<`n6\.y`, `n7\.x`
 // EXPECT modes_bad_mode: modes\.bad_mode: modes_bad_mode has 1 mode, so there is nothing to switch to: write two or more
 // EXPECT modes_two_rates: modes\.two_rates: mode `one` of modes_two_rates runs at 1000 Hz but mode `two` at 100 Hz: all modes share the beat
@@ -225,6 +226,10 @@ struct deployment_placed_twice : cca::deployment<deployable,
                                                  cca::environment<"one", cca::nodes<"extra", "n49">>,
                                                  cca::environment<"two", cca::nodes<"n49">>> {};
 struct deployment_undelayed : deployed_with<cca::environment<"one", cca::nodes<"n7">>> {};
+struct deployment_free_running
+    : cca::deployment<deployable,
+                      cca::environment<"one", cca::other_nodes>,
+                      cca::environment<"two", cca::nodes<"extra">, cca::free_running>> {};
 
 struct mode_none : fifty_nodes_and<at_1000_hz> {};
 struct mode_sink : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"n7.y", "extra.x">> {};

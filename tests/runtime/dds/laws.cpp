@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "../../laws/cut_skeletons.hpp"
+#include "../../laws/free_running_laws.hpp"
 #include "../../laws/transport_laws.hpp"
 #include "over_dds.hpp"
 
@@ -33,5 +34,11 @@ TEST_SUITE("deployed over dds") {
   }
   TEST_CASE("a second process and one of another deployment are refused") {
     transport_laws::refuses_whom_it_must<over_dds>();
+  }
+
+  TEST_CASE("free-running: the bits of one loop, results at wall-clock speed, lost contact with the killed") {
+    free_running_laws::has_the_bits_of_one_loop<over_dds>();
+    free_running_laws::runs_freely_at_wall_clock_speed<over_dds>();
+    free_running_laws::loses_contact_with_the_killed<over_dds>();
   }
 }

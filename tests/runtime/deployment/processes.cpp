@@ -15,6 +15,7 @@
 #include <cca/config.hpp>
 #include <cca/runtime/transports/shared_memory.hpp>
 
+#include "../../laws/free_running_laws.hpp"
 #include "../../laws/transport_laws.hpp"
 
 using namespace deployment_test;
@@ -93,6 +94,12 @@ TEST_SUITE("deployed in processes") {
   }
   TEST_CASE("a second process and one of another deployment are refused") {
     transport_laws::refuses_whom_it_must<over_shared_memory>();
+  }
+
+  TEST_CASE("free-running: the bits of one loop, results at wall-clock speed, lost contact with the killed") {
+    free_running_laws::has_the_bits_of_one_loop<over_shared_memory>();
+    free_running_laws::runs_freely_at_wall_clock_speed<over_shared_memory>();
+    free_running_laws::loses_contact_with_the_killed<over_shared_memory>();
   }
 
   TEST_CASE("the memory is private, and the last process removes it") {

@@ -19,19 +19,28 @@
 
 namespace cca::dds::detail {
 
-template <class D, class Outputs = cca::detail::all_that_leaves<D>>
+template <class D,
+          class Outputs = cca::detail::all_that_leaves<D>,
+          class FreeOutputs =
+              cca::detail::chosen<cca::detail::counts_of<D>.output_count, cca::detail::leaves_freely<D>>,
+          class Free = cca::detail::free_environments<D>>
 class replicated_exchange;
 
-template <class D, int... Output>
-class replicated_exchange<D, std::integer_sequence<int, Output...>> : public cca::detail::peers,
-                                                                      private own_exchange {
+// Of a free-running environment two more things are sent, at wall-clock speed: the results of its cycles, to
+// the first environment, and the samples that have arrived there, from the first environment to the others.
+template <class D, int... Output, int... FreeOutput, int... Free>
+class replicated_exchange<D,
+                          std::integer_sequence<int, Output...>,
+                          std::integer_sequence<int, FreeOutput...>,
+                          std::integer_sequence<int, Free...>> : public cca::detail::peers,
+                                                                 private own_exchange {
 public:
   replicated_exchange(std::uint32_t domain,
                       const std::string& partition,
                       const network& by,
                       const cca::detail::environments_here<D>& here,
                       std::shared_ptr<refusals> counted)
-      : refused(std::move(counted)) {
+      : refused(std::move(counted)), runs_first(here[0]) {
     transport.emplace(domain, partition, by, facts_of(here), static_cast<own_exchange&>(*this), own_rings,
                       *refused,
                       [](int e) { return cca::detail::name_of_environment<D>(cca::detail::array_size(e)); });
@@ -64,6 +73,8 @@ private:
     for (std::size_t e = 0; e < environment_count; ++e)
       if (here[e]) all.here |= std::uint64_t{1} << e;
     (all.outputs.push_back(facts_of_output<Output>()), ...);
+    (all.outputs.push_back(facts_of_arrived<FreeOutput>()), ...);
+    (all.outputs.push_back(facts_of_results<Free>()), ...);
     all.manifest = cca::detail::manifest_of<D>();
     all.limits = {cca::detail::counts_of<D>.period, cca::detail::exchange<D>::calls_and_one,
                   cca::detail::counts_of<D>.node_count, cca::detail::most_ahead<D>};
@@ -101,6 +112,36 @@ private:
             static_cast<std::size_t>(schema.field_count()),
             cca::detail::ring_capacity<D, Number>,
             readers_of<Number>()};
+  }
+  template <int Number>
+  static leaving_output facts_of_arrived() {
+    leaving_output facts = facts_of_output<Number>();
+    facts.environment = 0;
+    facts.topic += "/arrived";
+    return facts;
+  }
+  template <int E>
+  static leaving_output facts_of_results() {
+    std::size_t numbers = 0;
+    std::uint64_t hash = 0;
+    for_each_result<E>([&]<int Number>() {
+      const space_schema schema(*cca::detail::output_port_of<D, Number>.space);
+      numbers += 2 + static_cast<std::size_t>(schema.field_count());
+      hash = hash * 31 + schema.hash();
+    });
+    return {E,
+            "cca/" + std::string(cca::detail::name_of_environment<D>(E)) + "/results",
+            "cca::results_" + deployment_facts::as_text(hash),
+            numbers,
+            1,
+            1};
+  }
+  // f.template operator()<Number>() for each output that a free-running environment sends.
+  template <int E, class F>
+  static void for_each_result(F f) {
+    [&]<int... Number>(std::integer_sequence<int, Number...>) {
+      (f.template operator()<Number>(), ...);
+    }(cca::detail::outputs_leaving<D, E>{});
   }
   template <int Number>
   static constexpr std::uint64_t readers_of() {
@@ -174,10 +215,9 @@ private:
 
   void forget(std::size_t e) override { own.environments[e].position.store(-1, std::memory_order_release); }
 
-  template <int Number>
-  bool take_one(std::uint64_t& next, words& message) const {
-    const auto& ring = static_cast<const cca::detail::leaving_samples<D, Number>&>(own).ring;
-    typename std::remove_cvref_t<decltype(ring)>::sample one;
+  template <class Ring>
+  static bool take_from(const Ring& ring, std::uint64_t& next, words& message) {
+    typename Ring::sample one;
     if (!ring.take(next, no_position, one)) return false;
     message.clear();
     message.push_back(next - 1);
@@ -187,14 +227,46 @@ private:
     for (const double value : one.vector) message.push_back(std::bit_cast<std::uint64_t>(value));
     return true;
   }
-  template <int Number>
-  void put_one(std::span<const std::uint64_t> message) {
-    Eigen::Matrix<double, cca::detail::size_of_leaving<D, Number>, 1> values;
+  template <class Ring>
+  static void put_into(Ring& ring, std::span<const std::uint64_t> message) {
+    decltype(Ring::sample::vector) values;
     for (int i = 0; i < values.size(); ++i)
       values[i] = std::bit_cast<double>(message[sample_message::head + cca::detail::array_size(i)]);
-    own.template ring<Number>().put(values, static_cast<std::int64_t>(message[2]),
-                                    sample_message::beat(message), false,
-                                    (message[1] & sample_message::is_repeated) != 0);
+    ring.put(values, static_cast<std::int64_t>(message[2]), sample_message::beat(message), false,
+             (message[1] & sample_message::is_repeated) != 0);
+  }
+
+  // The newest results of a free-running environment: of each output the cycle, the origin, the values. Where
+  // the first environment runs here it takes them itself.
+  template <int E>
+  bool take_results(std::uint64_t& next, words& message) const {
+    if (runs_first) return false;
+    const auto* const newest = own.template results<E>().take();
+    if (!newest) return false;
+    message.clear();
+    message.push_back(next++);
+    message.push_back(static_cast<std::uint64_t>(
+        std::max<std::int64_t>(own.environments[0].begun.load(std::memory_order_relaxed), 0)));
+    message.push_back(0);
+    for_each_result<E>([&]<int Number>() {
+      const auto& one = newest->template at<Number>();
+      message.push_back(one.cycle);
+      message.push_back(static_cast<std::uint64_t>(one.origin));
+      for (const double value : one.coordinates) message.push_back(std::bit_cast<std::uint64_t>(value));
+    });
+    return true;
+  }
+  template <int E>
+  void put_results(std::span<const std::uint64_t> message) {
+    own.template results<E>().put_all([&](auto& slot) {
+      std::size_t at = sample_message::head;
+      for_each_result<E>([&]<int Number>() {
+        auto& one = slot.template at<Number>();
+        one.cycle = message[at++];
+        one.origin = static_cast<std::int64_t>(message[at++]);
+        for (double& value : one.coordinates) value = std::bit_cast<double>(message[at++]);
+      });
+    });
   }
 
   bool take([[maybe_unused]] std::size_t output,
@@ -202,13 +274,18 @@ private:
             [[maybe_unused]] words& message) const override {
     [[maybe_unused]] std::size_t number = 0;
     bool has = false;
-    ((number++ == output ? void(has = take_one<Output>(next, message)) : void()), ...);
+    ((number++ == output ? void(has = take_from(own.template ring<Output>(), next, message)) : void()), ...);
+    ((number++ == output ? void(has = take_from(own.template arrived<FreeOutput>(), next, message)) : void()),
+     ...);
+    ((number++ == output ? void(has = take_results<Free>(next, message)) : void()), ...);
     return has;
   }
   void put([[maybe_unused]] std::size_t output,
            [[maybe_unused]] std::span<const std::uint64_t> message) override {
     [[maybe_unused]] std::size_t number = 0;
-    ((number++ == output ? put_one<Output>(message) : void()), ...);
+    ((number++ == output ? put_into(own.template ring<Output>(), message) : void()), ...);
+    ((number++ == output ? put_into(own.template arrived<FreeOutput>(), message) : void()), ...);
+    ((number++ == output ? put_results<Free>(message) : void()), ...);
   }
 
   std::int64_t newest_beat() const override {
@@ -222,7 +299,8 @@ private:
 
   std::shared_ptr<refusals> refused;
   mutable bells own_rings;
-  cca::detail::exchange<D> own{};
+  mutable cca::detail::exchange<D> own{};  // to take results changes it
+  bool runs_first;
   mutable std::optional<replica> transport;  // last: its threads use the exchange
 };
 

@@ -16,6 +16,7 @@
 #include <cca/graph/diagnosis/rules/components/skeleton_arity.hpp>
 #include <cca/graph/diagnosis/rules/components/space_duplicate_axis.hpp>
 #include <cca/graph/diagnosis/rules/deployment/deployment_bad_environment.hpp>
+#include <cca/graph/diagnosis/rules/deployment/deployment_free_running.hpp>
 #include <cca/graph/diagnosis/rules/deployment/deployment_placed_twice.hpp>
 #include <cca/graph/diagnosis/rules/deployment/deployment_undelayed.hpp>
 #include <cca/graph/diagnosis/rules/deployment/deployment_unknown_node.hpp>
@@ -96,6 +97,7 @@ using rules = list<
     deployment_unknown_node,
     deployment_unplaced,
     deployment_placed_twice,
+    deployment_free_running,
     deployment_undelayed,
     modes_bad_mode,
     modes_two_rates,

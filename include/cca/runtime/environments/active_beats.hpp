@@ -41,7 +41,10 @@ struct clocks_of_environment {
 template <class D, int E>
 inline constexpr auto environment_clocks = [] {
   clocks_of_environment<D> clocks;
-  auto plan = plan_of<D>;
+  auto plan = [] {
+    if constexpr (has_free_running<D>) return plan_at_wall_clock<D>;
+    else return plan_of<D>;
+  }();
   const auto g = plan.view();
   for (int c = 0; c < g.call_count; ++c)
     if (environment_of(g, c) == E) clocks.add(g.calls[c].own_clock);

@@ -13,6 +13,11 @@
 
 namespace cca::detail {
 
+template <class D, int E>
+inline constexpr bool runs_in_cycles<part<D, E>> = is_free_running<D, E>;
+template <class Graph>
+inline constexpr bool runs_in_cycles<probed<Graph>> = runs_in_cycles<Graph>;
+
 // Whether an environment has a node of a part, and whether its components stop or start one.
 template <class D, int E>
 constexpr bool has_part(int number) {
@@ -58,7 +63,9 @@ inline constexpr int size_of_leaving = [] {
 
 template <class D>
 struct crossings {
-  // For each output, the largest delay of a reader in another environment; 0: all readers are here.
+  // For each output, the largest delay of a reader in another environment; 0: all readers are here. A wire of
+  // a free-running environment may have none: it counts as one beat, because before a beat begins nothing
+  // later is needed.
   std::array<int, array_size(graph_size<D>.outputs) + 1> largest_delay{};
   // From an environment to another the least delay; 0: nothing goes there.
   std::array<std::array<int, array_size(environment_count<D>)>, array_size(environment_count<D>)>
@@ -72,8 +79,9 @@ inline constexpr auto crossings_of = [] {
   const flat_view g = plan.view();
   for (int o = 0; o < g.output_count; ++o) {
     const int from = environment_of(g, g.outputs[o].call);
-    for_each_reader(g, o, [&](int to, int delay) {
+    for_each_reader(g, o, [&](int to, int stated) {
       if (to == from) return;
+      const int delay = stated > 0 ? stated : 1;
       int& largest = found.largest_delay[array_size(o)];
       int& least = found.least_delay[array_size(from)][array_size(to)];
       if (delay > largest) largest = delay;
@@ -87,6 +95,26 @@ inline constexpr auto crossings_of = [] {
   }(std::make_integer_sequence<int, environment_count<D>>{});
   return found;
 }();
+
+// Does another environment read it in the beat in which it is published?
+constexpr bool is_read_at_once(const flat_view& g, int output) {
+  bool is_read = false;
+  const int from = environment_of(g, g.outputs[output].call);
+  for_each_reader(g, output, [&](int to, int delay) { is_read |= to != from && delay == 0; });
+  return is_read;
+}
+// Does a call read it in that beat?
+constexpr bool reads_at_once(const flat_view& g, int call, int output) {
+  for (int i = g.outputs[output].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+    if (g.inputs[i].call == call && g.inputs[i].delay == 0) return true;
+  return false;
+}
+constexpr bool is_call_read_at_once(const flat_view& g, int call) {
+  const auto& c = g.calls[call];
+  for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
+    if (is_read_at_once(g, o)) return true;
+  return false;
+}
 
 template <class D>
 struct leaves_environment {
@@ -115,16 +143,31 @@ struct leaves_by_clock {
 };
 
 // Whoever has all samples of an environment's outputs up to a beat knows that it has done the beat: they are
-// published by known clocks, and it can't fault behind them. `Output`: those whose samples are seen.
+// published by known clocks, and it can't fault behind them. `Output`: those whose samples are seen. Where
+// one is read at once its reader looks at the position.
 template <class D, int E, int... Output>
 inline constexpr bool samples_tell = [] {
   auto plan = plan_of<D>;
   const flat_view g = plan.view();
   return !counts_of<part<D, E>>.may_fault && !asks_for_parts<D>(E) &&
          ((is_request<D>(Output) || environment_of(g, g.outputs[Output].call) != E ||
-           published(g, g.outputs[Output]).known()) &&
+           (published(g, g.outputs[Output]).known() && !is_read_at_once(g, Output))) &&
           ...);
 }();
+
+template <class D, int Output>
+inline constexpr bool is_of_free_running = [] {
+  if constexpr (is_request<D>(Output)) return false;
+  auto plan = plan_of<D>;
+  return environments_of<D>::all[array_size(environment_of(plan.view(), plan.outputs[Output].call))]
+      .is_free_running;
+}();
+template <class D>
+struct runs_freely {
+  static constexpr bool holds(std::size_t e) { return environments_of<D>::all[e].is_free_running; }
+};
+template <class D>
+using free_environments = chosen<environment_count<D>, runs_freely<D>>;
 
 // The outputs of others of which an environment stores the newest samples.
 template <class Part>

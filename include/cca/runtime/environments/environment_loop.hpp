@@ -1,7 +1,8 @@
 // The loop of one environment: its components, which beats it runs, and when.
 //
 // A fast run waits for every sample that it needs, so that all is as in one loop. A run on a clock never
-// waits for a sample: the first environment gives the beat, the others follow it.
+// waits for a sample: the first environment gives the beat, the others follow it. A free-running one
+// then follows nobody: its cycles begin without pause.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +11,12 @@
 
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/environments/active_beats.hpp>
+#include <cca/runtime/environments/free_running/cycles.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/samples/repeat_firings.hpp>
 #include <cca/runtime/environments/waiting/beats_of_first.hpp>
+#include <cca/runtime/environments/waiting/beats_of_others.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/run_record.hpp>
@@ -20,14 +24,23 @@
 namespace cca::detail {
 
 template <class D, int E>
-class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D> {
+class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D>,
+                                     beats_of_others<environment_loop<D, E>>,
+                                     public cycles_of<environment_loop<D, E>, D, E>,
+                                     admission_of<environment_loop<D, E>, D, E> {
   using graph = part<D, E>;
   using first_beats = beats_of_first<environment_loop, D>;
   friend first_beats;
+  friend cycles_of<environment_loop, D, E>;
+  friend admission_of<environment_loop, D, E>;
+  friend beats_of_others<environment_loop>;
   using first_beats::wait_for_beat;
   static constexpr std::int64_t period = counts_of<D>.period;
+  static constexpr bool is_free = is_free_running<D, E>;
 
 public:
+  using cycles_of<environment_loop, D, E>::index, cycles_of<environment_loop, D, E>::next_beat;
+
   std::int64_t k = 0;     // the next beat; asleep, the next in which something can fire
   std::int64_t done = 0;  // behind the last beat that has run
   kept_state<graph> state;
@@ -39,13 +52,14 @@ public:
     state.others = others;
     state.rings = others ? others->rings() : nullptr;
     state.courier = is_exact && others && others->works_in_environment() ? others : nullptr;
+    if constexpr (is_free) skip_to(beat);  // as after the run before
     state.is_exact = is_exact;
     state.ahead = ahead;
     state.is_cut = false;
     state.forget_others();
     state.requests.forget(exchanged);
     has_handled_fault = false;
-    skip_to(beat);
+    if constexpr (!is_free) skip_to(beat);
     state.begin_queues(beat);
     own().begun = beat - 1;
     own().begun_at[0] = own().begun_at[1] = own().interval = 0;
@@ -54,6 +68,9 @@ public:
     own().stop_at = no_position;
     announce();
     if (E == 0 && ahead == 0) state.move_to(position() - 1);  // when its pace lets it begin
+    if (has_free_running<D> && !is_exact) tell([this](loop_tap& tap) { tap.runs_freely(k); });
+    if constexpr (is_free) exchanged.template results<E>().begin_run();
+    this->begin_admission();
   }
 
   // `after_beat`, of the first environment in each process, returns false at the end.
@@ -64,18 +81,18 @@ public:
   template <class Pace, class AfterBeat>
   void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
     const std::int64_t first = k;
-    while (k < end && wait_until_it_may_begin()) {
+    while (k < end && this->wait_until_it_may_begin()) {
       runs.wait(pace, (k - first) * period);
       if (state.ahead == 0) announce();
       run_beat();
       if (state.ahead > 0) announce();
-      else if (all_have_come() && !after_beat()) stop();
+      else if (this->all_have_come() && !after_beat()) stop();
     }
   }
 
   template <class AfterBeat>
   void follow_exactly(std::int64_t end, AfterBeat after_beat) {
-    while (!is_asleep_until(end) && wait_until_it_may_begin()) {
+    while (!is_asleep_until(end) && this->wait_until_it_may_begin()) {
       run_beat();
       if (state.ahead == 0 && !after_beat()) stop();
       announce();
@@ -95,10 +112,12 @@ public:
       if (!goes_on()) return;
       own().begun_at[own().slot_of(k)].store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
+      this->admit();
       own().begun.store(k, std::memory_order_release);
       state.ring();
       run_timed_beat();
       announce();
+      this->look_for_free(end);
       if (!after_beat()) stop();
     }
   }
@@ -107,6 +126,7 @@ public:
   // environment's next beat. It is the newest that is due: those in between are lost.
   template <class AfterBeat>
   void follow(std::int64_t end, AfterBeat after_beat) {
+    if constexpr (is_free) return this->run_freely(end, after_beat);
     bool is_running = false;
     for (; !is_asleep_until(end) && goes_on(); is_running = true) {
       const bool is_overrun = is_running && begun() >= k;
@@ -145,24 +165,23 @@ public:
 
   // Goes on with beat `next`: those in between count as done, also where a fault has cut the last.
   void skip_to(std::int64_t next) {
+    if constexpr (is_free)
+      if (!state.is_exact) return this->end_cycles(next);
     for (std::int64_t skipped = std::max<std::int64_t>(k - 1, 0); skipped < next; ++skipped) {
-      repeat_outputs<graph>(state, skipped);
+      repeat_outputs<graph>(state, index() + skipped - k);
       state.repeat_leaving(skipped);
-      if (state.is_exact) repeat_firings(skipped);
+      if (state.is_exact) repeat_firings<D, E>(state, skipped);
     }
-    if (next > k) tell_skipped(k, next - k);
+    this->skip_indices(next);
+    if (next > k) tell_skipped(k, next - k, !state.is_exact);
     k = done = next;
     tell_reached();
   }
 
   // To a recorder, if this environment has the first node of a part.
-  void tell_part([[maybe_unused]] int part,
-                 [[maybe_unused]] bool stops,
-                 [[maybe_unused]] bool requested,
-                 [[maybe_unused]] std::int64_t from) noexcept {
-    if constexpr (Recordable<D>)
-      if (plan_of<D>.nodes[array_size(first_node_of_part<D>(part))].environment == E)
-        if (auto* const tap = state.tap.get()) tap->part_changed(part, stops, requested, from);
+  void tell_part(int part, bool stops, bool requested, std::int64_t from) noexcept {
+    if (plan_of<D>.nodes[array_size(first_node_of_part<D>(part))].environment == E)
+      tell([&](loop_tap& tap) { tap.part_changed(part, stops, requested, from); });
   }
 
   // At the end of a run: what was asked for in the beats before `beat`, and no more.
@@ -189,8 +208,10 @@ private:
   std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
   bool goes_on() { return shared().fault_position() == no_position && shared().stop_at() == no_position; }
   CCA_INLINE void state_fault(loop_observers to, int rank, std::string_view reason, int node) noexcept {
-    own().fault.state(position(rank), reason, node);
-    state.tell_fault(to, reason.data(), node, k);
+    std::int64_t beat = k;
+    if constexpr (is_free) beat = state.beat;
+    own().fault.state(exchange<D>::position_of(beat, rank), reason, node);
+    state.tell_fault(to, reason.data(), node, beat);
   }
   template <class Pace>
   cca::fault wait(run_record& runs, Pace& pace, std::int64_t time) {
@@ -216,28 +237,36 @@ private:
   template <class Key>
   CCA_INLINE void run_beat_of() noexcept {
     const loop_observers observers = observers_in<Key>(state);
+    const std::int64_t beat = this->beat_that_begins();
     if (!state.is_exact)
       if (const int lost = state.count_late(k, observers); lost >= 0)
         return state_fault(observers, 0, lost_contact<D>(lost), -1);
-    if constexpr (is_probed<Key>) state.begin_frame(k);
+    if constexpr (is_probed<Key>) state.begin_frame(beat);
+    if constexpr (is_probed<Key>) this->tell_arrivals();
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
-      track->begin(k);
-    state.receive(state, k);
-    take_part_requests(k);
+      track->begin(beat);
+    this->begin_cycle(beat);
+    state.receive(state, beat);
+    take_part_requests(beat);
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
-    if (begins<Key>(state, outcome, k)) beat_of_graph<Key>::run(state, outcome, k);
+    if (begins<Key>(state, outcome, index())) beat_of_graph<Key>::run(state, outcome, index());
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->end();
-    if constexpr (is_probed<Key>) state.end_frame();
+    if constexpr (is_probed<Key>)
+      if (!is_free || state.is_exact) state.end_frame();
     if constexpr (asks_for_parts<D>(E))
       if (state.is_asked) [[unlikely]] {
         if (outcome.fault || state.is_cut) forget_requests(state);
-        else send_requests<D, E>(shared(), state, k, state.is_exact);
+        else send_requests<D, E>(shared(), state, beat, state.is_exact);
       }
     if constexpr (counts_of<graph>.may_fault)
       if (outcome.fault) state_fault(observers, state.fault_rank, outcome.fault, outcome.node);
+    if constexpr (is_free) {
+      ++state.index;
+      if (!state.is_exact) return shared().template results<E>().end_cycle();
+    }
     done = ++k;
   }
 
@@ -262,26 +291,6 @@ private:
     return k == end;
   }
 
-  // A function whose clock is known in the whole architecture counts as fired in a beat that was cut, as in
-  // one loop, also where its clock is not known in this part.
-  void repeat_firings([[maybe_unused]] std::int64_t beat) {
-    if constexpr (layout_of<graph>.firing_count > 0)
-      for (std::size_t c = 0; c < array_size(counts_of<D>.call_count); ++c)
-        if (const int at = layout_of<graph>.calls[c].firing;
-            at >= 0 && is_started(plan_of<D>.calls[c], beat) && ticks(plan_of<D>.calls[c].own_clock, beat)) {
-          state.firings[at].last = beat;
-          state.firings[at].is_first = false;
-        }
-  }
-
-  bool is_started([[maybe_unused]] const call& c, [[maybe_unused]] std::int64_t beat) const {
-    if constexpr (parts_kept<graph> > 0) {
-      const int part = plan_of<D>.nodes[array_size(c.node)].part;
-      return part < 0 ||
-             (!state.parts[array_size(part)].rests && state.parts[array_size(part)].since <= beat);
-    }
-    return true;
-  }
   // Before beat `next`.
   void take_part_requests(std::int64_t next) noexcept {
     state.requests.take(shared(), state, next, [this](int number, bool stops, std::int64_t from) {
@@ -289,32 +298,17 @@ private:
     });
   }
 
-  // False: a fault or the end has come before it.
-  bool wait_until_it_may_begin() noexcept {
-    for (learned_patience patience = state.be_patient();; patience.wait()) {
-      const bool may_begin = state.may_begin(k);
-      if (shared().fault_position() < position() || shared().stop_at() <= k) return false;
-      if (may_begin) return true;
-      if (patience.is_time_to_ask()) state.look_for_missing(k, position() - 1);
-    }
+  // f(whom it tells of its beats), where somebody records.
+  template <class F>
+  void tell([[maybe_unused]] F f) noexcept {
+    if constexpr (Recordable<D>)
+      if (auto* const tap = state.tap.get()) f(*tap);
   }
-
-  // Waits until all others have done the beats before k. False: one of them faulted or stopped.
-  bool all_have_come() noexcept {
-    for (learned_patience patience = state.be_patient(); goes_on(); patience.wait()) {
-      if (state.all_have_come_to(position())) return true;
-      if (patience.is_time_to_ask()) state.look_for_those_before(position());
-    }
-    return false;
-  }
-
   void tell_reached() noexcept {
-    if constexpr (Recordable<D>)
-      if (auto* const tap = state.tap.get()) tap->reach(k);
+    tell([this](loop_tap& tap) { tap.reach(next_beat()); });
   }
-  void tell_skipped([[maybe_unused]] std::int64_t first, [[maybe_unused]] std::int64_t count) noexcept {
-    if constexpr (Recordable<D>)
-      if (auto* const tap = state.tap.get()) tap->skipped(first, count, !state.is_exact);
+  void tell_skipped(std::int64_t first, std::int64_t count, bool by_clock) noexcept {
+    tell([&](loop_tap& tap) { tap.skipped(first, count, by_clock); });
   }
 
   void lose_until(std::int64_t next) {

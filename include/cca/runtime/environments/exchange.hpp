@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include <cca/runtime/environments/crossing.hpp>
+#include <cca/runtime/environments/free_running/cycle_results.hpp>
 #include <cca/runtime/environments/histogram.hpp>
 #include <cca/runtime/environments/sample_ring.hpp>
 #include <cca/runtime/environments/waiting/bell.hpp>
@@ -34,8 +35,23 @@ inline constexpr int ring_capacity = static_cast<int>(std::bit_ceil(
     static_cast<unsigned>(most_ahead<D> + largest_delay_of<D, Output> + 2 + most_waiting<D, Output>)));
 
 template <class D, int Output>
+using ring_of_output =
+    sample_ring<size_of_leaving<D, Output>, ring_capacity<D, Output>, (most_waiting<D, Output> > 0)>;
+
+template <class D, int Output>
 struct leaving_samples {
-  sample_ring<size_of_leaving<D, Output>, ring_capacity<D, Output>, (most_waiting<D, Output> > 0)> ring;
+  ring_of_output<D, Output> ring;
+};
+// Of a free-running environment also those of wall-clock speed, with the beats in which they arrived. The
+// first environment writes them.
+template <class D, int Output>
+  requires is_of_free_running<D, Output>
+struct leaving_samples<D, Output> {
+  ring_of_output<D, Output> ring, arrived;
+};
+template <class D, int E>
+struct leaving_results {
+  cycle_results<D, E> results;
 };
 
 // Where a beat begins with samples that a full queue must not reject: how many such queues there are. They
@@ -123,10 +139,11 @@ inline void add(std::atomic<std::int64_t>& number, std::int64_t some) noexcept {
   number.store(number.load(std::memory_order_relaxed) + some, std::memory_order_relaxed);
 }
 
-template <class D, class Outputs = all_that_leaves<D>>
+template <class D, class Outputs = all_that_leaves<D>, class Free = free_environments<D>>
 struct exchange;
-template <class D, int... Output>
-struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, Output>... {
+template <class D, int... Output, int... Free>
+struct exchange<D, std::integer_sequence<int, Output...>, std::integer_sequence<int, Free...>>
+    : leaving_samples<D, Output>..., leaving_results<D, Free>... {
   static constexpr std::int64_t calls_and_one = rejecting_entries<D> + counts_of<D>.order_count + 1;
   static constexpr std::int64_t position_of(std::int64_t beat, int done = 0) {
     return beat * calls_and_one + done;
@@ -140,6 +157,15 @@ struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, O
   template <int Number>
   auto& ring() {
     return static_cast<leaving_samples<D, Number>&>(*this).ring;
+  }
+  // Of a free-running environment, at wall-clock speed: what has arrived, and what its cycles publish.
+  template <int Number>
+  auto& arrived() {
+    return static_cast<leaving_samples<D, Number>&>(*this).arrived;
+  }
+  template <int E>
+  auto& results() {
+    return static_cast<leaving_results<D, E>&>(*this).results;
   }
   std::int64_t position(int environment) const noexcept {
     return environments[array_size(environment)].position.load(std::memory_order_acquire);

@@ -1,8 +1,10 @@
 // As fast as possible, a fault cuts the beat of every environment where it would have cut the one loop: the
 // calls behind it in the order of the whole don't run. So an environment waits before a call until all calls
-// in front of it that may fault, elsewhere, have gone well.
+// in front of it that may fault, elsewhere, have gone well. It also waits for the samples that the call reads
+// in the beat of their publication: wires of a free-running environment may have no delay.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include <cca/runtime/environments/exchange.hpp>
@@ -26,6 +28,13 @@ struct fault_order {
   int own_entries = 0;  // how many of these must be done when those of this environment are; 0: it has none
 };
 
+constexpr bool feeds_at_once(const flat_view& g, int from, int to) {
+  const auto& c = g.calls[from];
+  for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
+    if (reads_at_once(g, to, o)) return true;
+  return false;
+}
+
 template <class D, int E>
 inline constexpr auto fault_order_of = [] {
   fault_order<D> order;
@@ -46,7 +55,10 @@ inline constexpr auto fault_order_of = [] {
     if (environment == E) {
       order.whole_rank[here] = entries + r;
       for (std::size_t x = 0; x < order.last.size(); ++x)
-        if (x != E) order.needed[x][here] = order.last[x];
+        if (x != E) order.needed[x][here] = std::max(order.last[x], here > 0 ? order.needed[x][here - 1] : 0);
+      for (int w = 0; w < r; ++w)
+        if (const int x = environment_of(g, g.order[w]); x != E && feeds_at_once(g, g.order[w], g.order[r]))
+          order.needed[array_size(x)][here] = std::max(order.needed[array_size(x)][here], entries + w + 1);
       ++here;
     }
     if (may_fault_in(g, c)) order.last[array_size(environment)] = entries + r + 1;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include <cca/runtime/environments/exchange.hpp>
@@ -13,16 +14,11 @@
 #include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
 #include <cca/runtime/environments/queues/ways_from_elsewhere.hpp>
+#include <cca/runtime/environments/samples/receive_samples.hpp>
 #include <cca/runtime/recording/beat_tap.hpp>
 
 namespace cca::detail {
 
-// The next sample that comes from elsewhere.
-template <class D, int Output>
-struct next_arrival {
-  std::uint64_t number = 0;
-  std::int64_t newest = -1;  // the beat in which the one before was published
-};
 template <class D,
           int E,
           class Others = std::make_integer_sequence<int, environment_count<D>>,
@@ -35,8 +31,12 @@ class environment_links<D,
                         E,
                         std::integer_sequence<int, Other...>,
                         std::integer_sequence<int, Arriving...>,
-                        std::integer_sequence<int, Way...>> : next_arrival<D, Arriving>...,
-                                                              public next_by_way<D, Way>... {
+                        std::integer_sequence<int, Way...>>
+    : next_arrival<D, Arriving>...,
+      public next_by_way<D, Way, is_of_free_running<D, input_of<part<D, E>, Way>.writer>>...,
+      public time_of_cycles<is_free_running<D, E>> {
+  static constexpr bool is_free = is_free_running<D, E>;
+
 public:
   exchange<D>* shared = nullptr;
   const peers* others = nullptr;   // null: all environments are in this process
@@ -52,13 +52,15 @@ public:
   // A component publishes in beat k.
   template <int Output, class Vector>
   CCA_INLINE void send(const Vector& v, std::int64_t origin, std::int64_t k) {
-    shared->template ring<Output>().put(v, origin, k, is_exact);
+    if constexpr (is_free)
+      if (!is_exact) return shared->template results<E>().template put<Output>(v, origin);
+    shared->template ring<Output>().put(v, origin, beat_at(k), is_exact);
   }
 
   // When beat k begins: takes what was published before it, into the samples that the components read.
   template <class State>
   void receive([[maybe_unused]] State& state, [[maybe_unused]] std::int64_t k) noexcept {
-    (receive_one<Arriving>(state, k), ...);
+    (receive_one<Arriving>(state, k, k), ...);
     if constexpr (has_parts) received = k + 1;
   }
 
@@ -151,21 +153,28 @@ public:
   CCA_INLINE bool is_due(std::int64_t k, [[maybe_unused]] trace_track* track) noexcept {
     if constexpr (((needed<Other>(Rank) > (Rank == 0 ? 0 : needed<Other>(Rank - 1))) || ...))
       if (is_exact) {
-        (wait_for<Other>(k, Rank), ...);
+        (wait_for<Other>(beat_at(k), Rank), ...);
         if (track) [[unlikely]]
           track->waited();
       }
+    if constexpr ((is_taken_at<Rank, Arriving>() || ...))
+      if (is_exact && !is_cut) (take_at_once<Rank, Arriving>(beat_at(k)), ...);
     if constexpr (((needed<Other>(Rank) > 0) || ...)) return !is_cut;
     else return true;
   }
   // The call of this rank went well; others may wait for it.
   template <int Rank>
   CCA_INLINE bool is_done(std::int64_t k) noexcept {
-    constexpr bool may_fault = [] {
+    constexpr auto others_wait = [] {
       auto plan = plan_of<part<D, E>>;
-      return may_fault_in(plan.view(), plan.calls[array_size(plan.order[array_size(Rank)])]);
+      auto whole = plan_of<D>;
+      const int call = plan.order[array_size(Rank)];
+      return std::pair(may_fault_in(plan.view(), plan.calls[array_size(call)]),
+                       is_call_read_at_once(whole.view(), call));
     }();
-    if constexpr (may_fault) move_to(exchange<D>::position_of(k, order.whole_rank[array_size(Rank)] + 1));
+    const std::int64_t done = exchange<D>::position_of(beat_at(k), order.whole_rank[array_size(Rank)] + 1);
+    if constexpr (others_wait.second) announce(done);
+    else if constexpr (others_wait.first) move_to(done);
     return true;
   }
   template <int Rank>
@@ -188,6 +197,26 @@ private:
   static constexpr const auto& order = fault_order_of<D, E>;
   static constexpr bool has_parts = parts_kept<part<D, E>> > 0;
 
+  // The beat that the loop of this part has as `k`.
+  CCA_INLINE std::int64_t beat_at(std::int64_t k) const noexcept {
+    if constexpr (is_free) return this->beat;
+    else return k;
+  }
+  CCA_INLINE std::int64_t index_at(std::int64_t k) const noexcept {
+    if constexpr (is_free) return this->index;
+    else return k;
+  }
+  template <int Rank, int Output>
+  static constexpr bool is_taken_at() {
+    auto plan = plan_of<part<D, E>>;
+    return reads_at_once(plan.view(), plan.order[array_size(Rank)], Output);
+  }
+  template <int Rank, int Output>
+  CCA_INLINE void take_at_once(std::int64_t k) noexcept {
+    if constexpr (is_taken_at<Rank, Output>())
+      receive_one<Output>(static_cast<controller_state<part<D, E>>&>(*this), k, k + 1);
+  }
+
   template <int X>
   static constexpr int needed(int rank) {
     return order.needed[X][array_size(rank)];
@@ -202,31 +231,9 @@ private:
   }
 
   template <int Output, class State>
-  void receive_one(State& state, std::int64_t k) noexcept {
-    constexpr place at = layout_of<part<D, E>>.outputs[Output];
-    const auto& ring = shared->template ring<Output>();
-    auto& next = static_cast<next_arrival<D, Output>&>(*this);
-    const auto arrive = [&](const auto& vector, std::int64_t origin, std::int64_t published_in) {
-      // A part that starts while its environment sleeps asks when the sample came: a fast run has waited for
-      // it, else it was there as soon as it could be.
-      const std::int64_t came = !has_parts ? k : is_exact ? published_in : received;
-      sample_in<part<D, E>, at.array>(state, at.index).put(vector, origin, published_in, came);
-      next.newest = published_in;
-    };
-    if (is_exact) {
-      if (next.newest == k - 1) return;
-      const std::uint64_t end = ring.end_before(next.number, k);
-      constexpr std::uint64_t shown = crossings_of<D>.largest_delay[Output] + 1;  // older ones are not read
-      for (std::uint64_t n = std::max(next.number, end - std::min(end, shown)); n < end; ++n)
-        ring.show(n, arrive);
-      next.number = end;
-      return;
-    }
-    using ring_type = std::remove_cvref_t<decltype(ring)>;
-    typename ring_type::sample came;
-    // The number bounds a beat beside a writer that goes on publishing: the rest comes in the next one.
-    for (int i = 0; i < 2 * ring_type::capacity && ring.take(next.number, k, came); ++i)
-      arrive(came.vector, came.origin, came.published_in);
+  void receive_one(State& state, std::int64_t k, std::int64_t end) noexcept {
+    const std::int64_t came = !has_parts ? index_at(k) : is_exact ? arrives_when_published : received;
+    receive_samples<D, E, Output>(state, static_cast<next_arrival<D, Output>&>(*this), k, end, came);
   }
 
   template <int OfWay>
@@ -288,14 +295,14 @@ private:
     if (needed<X>(rank) == 0) return;
     for (learned_patience patience = be_patient(); !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
-      is_cut = shared->fault_position() <= here;
+      is_cut = shared->fault_position() <= here || shared->stop_at() <= k;
       if (is_there) return;
       if (patience.is_time_to_ask()) look_for(X, here, [&] { return shared->position(X) >= from; });
     }
   }
   template <int X>
   CCA_INLINE void count_late_from(std::int64_t k, int& lost, loop_observers to) noexcept {
-    if constexpr (least_delay(X, E) > 0) {
+    if constexpr (least_delay(X, E) > 0 && !is_free && !is_free_running<D, X>) {
       std::int64_t& in_a_row = late_in_a_row[X];
       const bool is_late = !has_done<X>(k - least_delay(X, E) + 1);
       if (is_late) {
@@ -315,6 +322,10 @@ private:
 
 template <class D, int E>
 inline constexpr bool may_be_cut<part<D, E>> = true;
+template <class D>
+struct told_for_others<part<D, 0>> {
+  static constexpr bool holds(std::size_t o) { return leaves_freely<D>::holds(o); }
+};
 
 // The state of a part has its links, which the beat finds by its context.
 template <class D, int E>

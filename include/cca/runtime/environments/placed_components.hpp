@@ -81,7 +81,9 @@ protected:
   template <class F>
   void observe_here(std::int64_t k, F& f) const {
     for_each_watched([&]<int E, class Observed>() {
-      if (here[E]) Observed::template show<part<D, E>>(loops.template at<E>().state, k, f);
+      const auto& loop = loops.template at<E>();
+      if (here[E])
+        Observed::template show<part<D, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
     });
   }
   // Of one environment, between two of its beats.
@@ -89,7 +91,7 @@ protected:
   void observed_in(F& f) const {
     for_each_watched([&]<int E, class Observed>() {
       if constexpr (E == Environment)
-        Observed::template show<part<D, E>>(loops.template at<E>().state, loops.template at<E>().k, f);
+        Observed::template show<part<D, E>>(loops.template at<E>().state, loops.template at<E>().index(), f);
     });
   }
 
@@ -181,7 +183,7 @@ public:
   void parameters_changed_in() noexcept {
     if constexpr (Recordable<D>) {
       auto& loop = this->loops.template at<E>();
-      if (auto* const tap = loop.state.tap.get()) tap->parameters_changed(loop.state, loop.k);
+      if (auto* const tap = loop.state.tap.get()) tap->parameters_changed(loop.state, loop.next_beat());
     }
   }
 };

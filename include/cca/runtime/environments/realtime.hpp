@@ -1,4 +1,4 @@
-// How the thread of an environment runs: options of `environment`.
+// How the thread of an environment runs: options of `environment`, beside `free_running`.
 //
 //   cca::environment<"robot", cca::nodes<"robot", "limits">, cca::realtime<80, cca::on_core<1>>>
 //
@@ -68,15 +68,19 @@ struct wish_of<realtime_if_allowed<Priority, on_core<Core>...>> {
   static constexpr thread_wish value = make_wish<Priority, Core...>(false);
 };
 
+template <>
+struct wish_of<free_running> {
+  static constexpr thread_wish value{};
+};
+
+// At most one says how the thread runs (deployment.bad_environment).
 template <class Options>
 inline constexpr thread_wish wish_among{};
-template <class Option>
-inline constexpr thread_wish wish_among<list<Option>> = wish_of<Option>::value;
-template <class First, class Second, class... More>
-inline constexpr thread_wish wish_among<list<First, Second, More...>> = [] {
-  static_assert(sizeof(First) == 0,
-                "cca::environment: at most one option, cca::realtime<Priority, cca::on_core<N>>");
-  return thread_wish{};
+template <class... Option>
+inline constexpr thread_wish wish_among<list<Option...>> = [] {
+  thread_wish all;
+  ((wish_of<Option>::value.priority > 0 ? void(all = wish_of<Option>::value) : void()), ...);
+  return all;
 }();
 
 // What the system refused, and what to do; empty: nothing.

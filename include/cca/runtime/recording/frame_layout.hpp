@@ -5,7 +5,8 @@
 //   origin[output]   its time of origin; `never`: not published in this beat
 //   at[output]       its coordinates
 //
-// The loop of an environment has only the outputs of its own components. All modes of a set have the same
+// The loop of an environment has only the outputs of its own components; that of the first one also what has
+// come from free-running environments. All modes of a set have the same
 // frames, with the outputs of all of them (runtime/modes/shared_state.hpp).
 #pragma once
 
@@ -35,13 +36,22 @@ struct frame_layout {
 template <class Graph>
 inline constexpr bool may_be_cut = counts_of<Graph>.may_fault;
 
+// Outputs of another loop that this one tells a recorder of.
+template <class Graph>
+struct told_for_others {
+  static constexpr bool holds(std::size_t) { return false; }
+};
+
 template <class Graph>
 inline constexpr auto frame_layout_of = [] {
   constexpr int outputs = counts_of<Graph>.output_count;
   frame_layout<outputs> frame;
   const auto& plan = plan_of<Graph>;
   for (std::size_t o = 0; o < array_size(outputs); ++o)
-    frame.origin[o] = plan.calls[array_size(plan.outputs[o].call)].elsewhere ? -1 : ++frame.origins;
+    frame.origin[o] =
+        plan.calls[array_size(plan.outputs[o].call)].elsewhere && !told_for_others<Graph>::holds(o)
+            ? -1
+            : ++frame.origins;
   frame.words = 1 + frame.origins;
   for (std::size_t o = 0; o < array_size(outputs); ++o) {
     const auto& out = plan.outputs[o];

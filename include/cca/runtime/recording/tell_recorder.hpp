@@ -15,7 +15,7 @@ CCA_INLINE void tell_recorder(std::int64_t* frame, int output, const Vector& v, 
   constexpr const auto& layout = frame_layout_of<Graph>;
   frame[layout.origin[array_size(output)]] = origin;
   auto* const coordinates = reinterpret_cast<double*>(frame + layout.at[array_size(output)]);
-  Eigen::Map<Vector>{coordinates} = v;
+  Eigen::Map<typename Vector::PlainObject>{coordinates} = v;
 }
 
 }  // namespace cca::detail

@@ -44,4 +44,45 @@ private:
   std::int64_t count = 0;
 };
 
+// The same in a free-running environment, whose cycles are its own beats: `k` counts them. What it reads has
+// beats, and several of them, or none, may pass in a cycle.
+template <int Size, int Depth>
+class samples_for_cycles {
+public:
+  // Cycle `k` begins in this beat.
+  void begin(std::int64_t in_beat) {
+    beat_before = beat;
+    beat = in_beat;
+  }
+  template <class Vector>
+  void put(const Vector& v, std::int64_t origin, std::int64_t published_in, std::int64_t k) {
+    slot& s = slots[static_cast<std::size_t>(count++) & (array_size(Depth) - 1)];
+    s.store(v, origin);
+    s.published_in = published_in;
+    s.came = k;
+  }
+  const stored_sample<Size>* show(std::int64_t, int delay) const { return newest_arrived(delay); }
+  // In this cycle, or in one before.
+  std::int64_t arrived(std::int64_t k, int delay) const {
+    const slot* s = newest_arrived(delay);
+    return !s ? -1 : s->came == k || s->published_in + delay > beat_before ? k : k - 1;
+  }
+
+private:
+  struct slot : stored_sample<Size> {
+    std::int64_t published_in = -1, came = -1;
+  };
+
+  const slot* newest_arrived(int delay) const {
+    for (std::int64_t n = count - 1; n >= 0 && n > count - 1 - Depth; --n)
+      if (const slot& s = slots[static_cast<std::size_t>(n) & (array_size(Depth) - 1)];
+          s.published_in + delay <= beat)
+        return &s;
+    return nullptr;
+  }
+
+  slot slots[array_size(Depth)];
+  std::int64_t count = 0, beat = -1, beat_before = -1;
+};
+
 }  // namespace cca::detail

@@ -58,7 +58,8 @@ std::string manifest_of() {
        << sizeof(exchange<D>) << " bytes exchanged, " << environments_of<D>::tolerated
        << " late beats tolerated\n";
   for (int e = 0; e < environment_count<D>; ++e)
-    text << "environment " << environments_of<D>::all[array_size(e)].name << '\n';
+    text << "environment " << environments_of<D>::all[array_size(e)].name
+         << (environments_of<D>::all[array_size(e)].is_free_running ? ", free-running\n" : "\n");
   for (int n = 0; n < g.node_count; ++n)
     text << "node " << path_of_node<D>(n) << ": " << g.nodes[n].item->component->name() << ", strategy "
          << g.nodes[n].item->strategy_key << ", in environment " << g.nodes[n].environment << '\n';

@@ -11,7 +11,7 @@
 
 namespace cca::recording::detail {
 
-enum class event_kind : std::uint32_t { state, fault, parameters, mode, part, late, skipped };
+enum class event_kind : std::uint32_t { state, fault, parameters, mode, part, freely, late, skipped };
 
 struct event {
   event_kind kind{};

@@ -117,6 +117,11 @@ public:
     message.add(k).add(std::string_view(of.parts[cca::detail::array_size(part)]).substr(0, 200));
     put({event_kind::part, -1, k}, message.add(std::uint8_t{stops}).add(std::uint8_t{requested}).view());
   }
+  void runs_freely(std::int64_t k) noexcept override {
+    cdr_writer message(scratch);
+    message.add(k);
+    put({event_kind::freely, -1, k}, message.view());
+  }
   void late(int from, std::int64_t k) noexcept override {
     cdr_writer message(scratch);
     message.add(k).add(name()).add(

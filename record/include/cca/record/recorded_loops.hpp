@@ -58,6 +58,8 @@ struct recorded_loops<controller<Graph>> {
     return std::vector<bool>(cca::detail::array_size(cca::detail::counts_of<Graph>.node_count), true);
   }
 
+  static void add_outputs_of_others(const controller<Graph>&, std::vector<bool>&) {}
+
   static void describe(const controller<Graph>&, text_map&, [[maybe_unused]] text_map& modes) {
     if constexpr (Modes<Graph>) modes = {{"all", joined(names_of_modes())}};
   }
@@ -101,6 +103,14 @@ struct recorded_loops<deployed<D>> {
         if (cca::detail::plan_of<D>.nodes[n].environment == E) nodes[n] = true;
     });
     return nodes;
+  }
+
+  // What comes from free-running environments to the first one.
+  static void add_outputs_of_others(deployed<D>& d, std::vector<bool>& outputs) {
+    d.for_each_tap([&]<int E>(auto&) {
+      for (std::size_t o = 0; o < outputs.size(); ++o)
+        if (cca::detail::told_for_others<cca::detail::part<D, E>>::holds(o)) outputs[o] = true;
+    });
   }
 
   static void describe(deployed<D>& d, text_map& environments, text_map&) {

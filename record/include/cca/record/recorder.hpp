@@ -136,6 +136,9 @@ private:
     });
     what.parameters = types;
     what.nodes = recorded::nodes_here(c);
+    for (int o = 0; o < cca::detail::counts_of<whole>.output_count; ++o)
+      what.outputs.push_back(what.nodes[cca::detail::array_size(cca::detail::node_of_output<whole>(o))]);
+    recorded::add_outputs_of_others(c, what.outputs);
     recorded::describe(c, what.environments, what.modes);
     return what;
   }

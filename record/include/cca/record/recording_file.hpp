@@ -8,6 +8,7 @@
 // - /cca/fault: component and reason
 // - /cca/mode: of a set of modes: the mode, at the start and where it changes
 // - /cca/part: parts that may be stopped: where one is stopped or started
+// - /cca/free_running: from which beat on free-running environments ran at wall-clock speed
 // - /cca/late, /cca/skipped: of a deployment: samples that came late, beats that an environment left out
 // - /cca/lost: beats that did not fit into the ring
 //
@@ -43,9 +44,9 @@ namespace cca::recording::detail {
 
 inline constexpr std::string_view state_topic = "/cca/state", fault_topic = "/cca/fault",
                                   lost_topic = "/cca/lost", mode_topic = "/cca/mode",
-                                  part_topic = "/cca/part", late_topic = "/cca/late",
-                                  skipped_topic = "/cca/skipped", parameter_topics = "/cca/parameters/",
-                                  viewer_topics = "/ros2";
+                                  part_topic = "/cca/part", freely_topic = "/cca/free_running",
+                                  late_topic = "/cca/late", skipped_topic = "/cca/skipped",
+                                  parameter_topics = "/cca/parameters/", viewer_topics = "/ros2";
 
 // "dmp", "dmp.status", "dmp.*" or "*".
 inline bool is_in_scope(std::string_view path, std::string_view scope) {
@@ -65,7 +66,7 @@ public:
   // What a recording is of.
   struct contents {
     std::vector<const schema*> parameters{};  // of each node, or null
-    std::vector<bool> nodes{};                // those that run in this process
+    std::vector<bool> nodes{}, outputs{};     // those that are recorded in this process
     text_map environments{}, modes{};
   };
   recording_file(const std::string& name, const settings& s, const contents& of)
@@ -87,7 +88,7 @@ public:
           is_wanted = true;
           std::erase(unused, scope);
         }
-      is_wanted = is_wanted && of.nodes[cca::detail::array_size(cca::detail::node_of_output<Graph>(o))];
+      is_wanted = is_wanted && of.outputs[cca::detail::array_size(o)];
       ports.push_back(is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o))
                                 : std::uint16_t{0});
       if (is_wanted && s.viewer_hz > 0) add_view(o, path);
@@ -112,6 +113,9 @@ public:
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
       if (s.viewer_hz > 0) body.emplace(file, cca::detail::space_of_output<Graph>);
+    if constexpr (cca::detail::has_free_running<Graph>)
+      freely = file.channel(freely_topic, "cca/msg/free_running",
+                            "int64 beat  # from which on they ran at wall-clock speed\n");
     if (!of.modes.empty())
       mode = file.channel(mode_topic, "cca/msg/mode",
                           "int64 beat  # from which on it is active\nstring mode\n"
@@ -159,6 +163,7 @@ public:
                                   : e.kind == event_kind::fault    ? fault
                                   : e.kind == event_kind::mode     ? mode
                                   : e.kind == event_kind::part     ? part
+                                  : e.kind == event_kind::freely   ? freely
                                   : e.kind == event_kind::late     ? late
                                                                    : skipped;
     file.message(channel, time_of(e.beat), time_of(e.beat), payload);
@@ -212,7 +217,7 @@ private:
   std::vector<view> views;
   std::int64_t view_period = 0;
   static constexpr bool has_environments = Deployment<Graph>;
-  std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, part = 0, late = 0, skipped = 0;
+  std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, part = 0, freely = 0, late = 0, skipped = 0;
   byte_writer message;
 };
 

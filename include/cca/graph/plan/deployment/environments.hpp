@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/deployment.hpp>
@@ -31,6 +32,7 @@ struct environment_info {
   const std::string_view* paths = nullptr;
   int path_count = 0;
   bool has_others = false;  // other_nodes
+  bool is_free_running = false;
   misplaced mistake = misplaced::none;
   std::string_view unknown_type{};
 };
@@ -44,6 +46,8 @@ struct deployment_info {
 
 template <class Option>
 inline constexpr bool is_environment_option = false;
+template <>
+inline constexpr bool is_environment_option<free_running> = true;
 template <int Priority, int... Core>
 inline constexpr bool is_environment_option<realtime<Priority, on_core<Core>...>> = sizeof...(Core) <= 1;
 template <int Priority, int... Core>
@@ -75,7 +79,9 @@ constexpr environment_info environment_item(std::string_view name) {
   environment_info info = nodes_of_environment<Nodes>;
   info.name = name;
   (check_option<Options>(info), ...);
-  if (sizeof...(Options) > 1 && info.mistake == misplaced::none) info.mistake = misplaced::second_option;
+  const int free = (0 + ... + std::is_same_v<Options, free_running>), others = sizeof...(Options) - free;
+  info.is_free_running = free > 0;
+  if ((free > 1 || others > 1) && info.mistake == misplaced::none) info.mistake = misplaced::second_option;
   return info;
 }
 
@@ -144,6 +150,17 @@ using environments_of = environments_in<typename D::cca_environments>;
 
 template <class D>
 inline constexpr int environment_count = environments_of<D>::count;
+
+template <class D, int E>
+inline constexpr bool is_free_running = environments_of<D>::all[array_size(E)].is_free_running;
+template <class Graph>
+inline constexpr bool has_free_running = false;
+template <Deployment D>
+inline constexpr bool has_free_running<D> = [] {
+  for (const environment_info& e : environments_of<D>::all)
+    if (e.is_free_running) return true;
+  return false;
+}();
 
 template <class D>
 constexpr std::string_view name_of_environment(std::size_t environment) {

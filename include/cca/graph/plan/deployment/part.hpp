@@ -18,6 +18,25 @@ inline constexpr flat_of<D> plan_of<D> = then<D>(plan_without_places<D>, [](flat
   return place_components(g, environments_of<D>::all.data(), environment_count<D>);
 });
 
+// The same at wall-clock speed, where nobody knows when a free-running environment publishes.
+constexpr flat_view make_irregular(flat_view g) {
+  for (int c = 0; c < g.call_count; ++c)
+    g.calls[c].irregular = g.environments[environment_of(g, c)].is_free_running;
+  return find_clocks(g);
+}
+template <Deployment D>
+inline constexpr flat_of<D> plan_at_wall_clock = then<D>(plan_of<D>, make_irregular);
+
+// Does a node run in a free-running environment of a deployment?
+template <class Graph>
+constexpr bool is_free_node(int) {
+  return false;
+}
+template <Deployment D>
+constexpr bool is_free_node(int node) {
+  return environments_of<D>::all[array_size(plan_of<D>.nodes[array_size(node)].environment)].is_free_running;
+}
+
 // Environment `E` of a deployment, as a graph.
 template <class D, int E>
 struct part : marks_of<D> {

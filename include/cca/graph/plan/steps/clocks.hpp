@@ -27,7 +27,7 @@ constexpr clock clock_in_part(const flat_view& g, const call& t) {
 
 constexpr flat_view find_clocks(flat_view g) {
   // First the clocks that depend on no arrivals: a delayed wire may lead back to an earlier function.
-  // What comes from another environment may come late.
+  // What comes from another environment may come late, and from a free-running one at any time.
   const auto set = [&](int c, clock found) {
     auto& t = g.calls[c];
     t.own_clock = found;
@@ -35,14 +35,15 @@ constexpr flat_view find_clocks(flat_view g) {
   };
   for (int t = 0; t < g.call_count; ++t) {
     const auto& strategy = strategy_of_call(g, g.calls[t]);
-    set(t, g.calls[t].elsewhere      ? dynamic_clock
-           : part_of_call(g, t) >= 0 ? strategy.in_combination
-                                     : strategy.alone);
+    set(t, g.calls[t].elsewhere || g.calls[t].irregular ? dynamic_clock
+           : part_of_call(g, t) >= 0                    ? strategy.in_combination
+                                                        : strategy.alone);
   }
   for (int r = 0; r < g.order_count; ++r) {
     const int c = g.order[r];
     const auto& t = g.calls[c];
-    if (t.own_clock.dynamic()) set(c, part_of_call(g, c) >= 0 ? clock_in_part(g, t) : clock_of(g, t));
+    if (t.own_clock.dynamic() && !t.irregular)
+      set(c, part_of_call(g, c) >= 0 ? clock_in_part(g, t) : clock_of(g, t));
   }
 
   for (int o = 0; o < g.output_count; ++o) {

@@ -12,10 +12,15 @@
 namespace cca::detail {
 
 // The next sample of a way into a queue, and the beat in which the one before was published.
-template <class D, int Way>
+template <class D, int Way, bool IsFree = false>
 struct next_by_way {
   std::uint64_t number = 0;
   std::int64_t newest = -1;
+};
+// From a free-running environment: also of what has arrived at wall-clock speed.
+template <class D, int Way>
+struct next_by_way<D, Way, true> : next_by_way<D, Way> {
+  std::uint64_t arrived = 0;
 };
 
 template <class D, int E, int Way, class State>
@@ -33,17 +38,24 @@ struct end_of_way<part<D, E>, Way, State> {
   }
 
 private:
-  void fetch(std::int64_t k) {
-    auto& from = static_cast<next_by_way<D, Way>&>(state);
-    const auto& ring = state.shared->template ring<in.writer>();
+  void fetch(std::int64_t index) {
+    std::int64_t k = index;
+    if constexpr (is_free_running<D, E>) k = state.beat;
+    auto& from = static_cast<next_by_way<D, Way, is_from_free>&>(state);
+    has_come = false;
+    fetch(state.shared->template ring<in.writer>(), from.number, k);
+    if constexpr (is_from_free)
+      if (!has_come) fetch(state.shared->template arrived<in.writer>(), from.arrived, k);
+  }
+  void fetch(const ring_type& ring, std::uint64_t& number, std::int64_t k) {
     // The number bounds a beat beside a writer that goes on publishing: the rest comes in the next one.
-    for (has_come = false; !has_come && left > 0; --left) {
-      const std::uint64_t expected = from.number;
-      const bool is_due = ring.take(from.number, k - in.delay + 1, came);
-      const auto lost = static_cast<std::int64_t>(from.number - expected) - is_due;
+    for (; !has_come && left > 0; --left) {
+      const std::uint64_t expected = number;
+      const bool is_due = ring.take(number, k - in.delay + 1, came);
+      const auto lost = static_cast<std::int64_t>(number - expected) - is_due;
       if (lost > 0) queue().lose(lost);
       if (!is_due) return;
-      from.newest = came.published_in;
+      static_cast<next_by_way<D, Way>&>(state).newest = came.published_in;
       has_come = !came.is_repeated;
     }
   }
@@ -51,6 +63,8 @@ private:
     constexpr place at = layout_of<part<D, E>>.sources[Way];
     return sample_in<part<D, E>, at.array>(state, at.index);
   }
+
+  static constexpr bool is_from_free = is_of_free_running<D, in.writer>;
 
   State& state;
   typename ring_type::sample came;

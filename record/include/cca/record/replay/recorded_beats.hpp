@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  enum class use_kind { none, sample, parameters, state, fault, lost, mode, part, late, skipped };
+  enum class use_kind { none, sample, parameters, state, fault, lost, mode, part, freely, late, skipped };
   struct channel_use {
     use_kind what = use_kind::none;
     int number = 0;  // of the output, of the node
@@ -113,11 +113,20 @@ private:
     for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o) {
       const auto& call = plan.calls[array_size(plan.outputs[array_size(o)].call)];
       if (call.phase != cca::detail::phase_of_beat::sense || has(o)) continue;
+      if (is_beside_the_beat(o)) continue;
       const std::string what = called + ": what `" + cca::detail::path_of_output<Graph>(o) + "` sensed ";
       if (!damaged.empty()) throw refused(what + "is not in the part that can be read: " + damaged);
       throw refused(what + "was not recorded: record it to replay" +
                     (Deployment<Graph> ? ", with all environments in one process" : ""));
     }
+  }
+
+  // What nobody reads outside of a free-running environment need not be played.
+  static bool is_beside_the_beat([[maybe_unused]] int o) {
+    if constexpr (cca::detail::has_free_running<Graph>)
+      return cca::detail::is_free_node<Graph>(cca::detail::node_of_output<Graph>(o)) &&
+             !cca::detail::leaves_freely<Graph>::holds(cca::detail::array_size(o));
+    else return false;
   }
 
   channel_use use_of(const mcap_channel& channel) {
@@ -138,6 +147,7 @@ private:
     if (topic == lost_topic) use.what = use_kind::lost;
     if (topic == mode_topic) use.what = use_kind::mode;
     if (topic == part_topic) use.what = use_kind::part;
+    if (topic == freely_topic) use.what = use_kind::freely;
     if (topic == late_topic) use.what = use_kind::late;
     if (topic == skipped_topic) use.what = use_kind::skipped;
     if (use.what != use_kind::none && channel.encoding != "cdr")
@@ -173,12 +183,14 @@ private:
       e.parameters.assign(m.data.begin(), m.data.end());
       return !from.is_bad();
     }
-    e.kind = use.what == use_kind::state   ? event_kind::state
-             : use.what == use_kind::fault ? event_kind::fault
-             : use.what == use_kind::mode  ? event_kind::mode
-             : use.what == use_kind::part  ? event_kind::part
-             : use.what == use_kind::late  ? event_kind::late
-                                           : event_kind::skipped;
+    e.kind = use.what == use_kind::state    ? event_kind::state
+             : use.what == use_kind::fault  ? event_kind::fault
+             : use.what == use_kind::mode   ? event_kind::mode
+             : use.what == use_kind::part   ? event_kind::part
+             : use.what == use_kind::freely ? event_kind::freely
+             : use.what == use_kind::late   ? event_kind::late
+                                            : event_kind::skipped;
+    if (e.kind == event_kind::freely) return from.is_at_end();
     if (e.kind == event_kind::skipped) from.number<std::int64_t>();
     if (e.kind == event_kind::fault) e.component = from.text();
     e.text = from.text();

@@ -133,6 +133,8 @@ private:
         if (!e.requested) c.switch_to(e.text);
     } else if (e.kind == event_kind::part) {
       if (!e.requested || asks_a_resource_node(e.text)) set_part(e.text, e.stopped);
+    } else if (e.kind == event_kind::freely) {
+      play_from_now();
     } else if (e.kind == event_kind::late) {
       differs_by_clock("the samples of `" + e.component + "` had not come to `" + e.text + "`");
     } else if (e.kind == event_kind::skipped) {
@@ -141,12 +143,30 @@ private:
       move(e.text);
     }
   }
+  // What free-running environments publish depends on the machine from here on.
+  void play_from_now() {
+    if constexpr (cca::detail::has_free_running<Graph>) {
+      is_playing = true;
+      each_node([]<class C>(int, C& component) {
+        if constexpr (requires { component.begin_playing(); }) component.begin_playing();
+      });
+      for (int o = 0; o < output_count; ++o)
+        if (cca::detail::leaves_freely<Graph>::holds(at(o)) && !items.has(o))
+          differs_by_clock(
+              "`" + cca::detail::path_of_output<Graph>(o) +
+              "` ran freely and was not recorded: record it, in the process of the first environment");
+    }
+  }
+  // Of a free-running environment that is played.
+  bool is_played(int node) const { return is_playing && cca::detail::is_free_node<Graph>(node); }
+
   // The replayed components ask by themselves, but resource nodes are not there.
-  static bool asks_a_resource_node(const std::string& part) {
+  bool asks_a_resource_node(const std::string& part) const {
     const auto& plan = cca::detail::plan_of<graph>;
     for (int r = 0; r < cca::detail::counts_of<graph>.request_count; ++r)
       if (const auto& one = plan.requests[at(r)];
-          plan.calls[at(one.call)].phase != cca::detail::phase_of_beat::process &&
+          (plan.calls[at(one.call)].phase != cca::detail::phase_of_beat::process ||
+           is_played(plan.calls[at(one.call)].node)) &&
           cca::detail::path_of_part<graph>(one.part) == part)
         return true;
     return false;
@@ -231,6 +251,9 @@ private:
     ++result.beats;
     for (const int o : orders[at(mode)]) {
       if (!items.has(o)) continue;
+      const auto& call =
+          cca::detail::plan_of<Graph>.calls[at(cca::detail::plan_of<Graph>.outputs[at(o)].call)];
+      if (is_played(call.node)) continue;
       const auto origin = words(layout.origin[at(o)]);
       const std::int64_t was = recorded[origin], is = replayed_frame[origin];
       const auto size = static_cast<std::size_t>(layout.size[at(o)]);
@@ -238,8 +261,6 @@ private:
       const auto* const now = replayed_frame + layout.at[at(o)];
       if (was == never && is == never) continue;
       if (was == is && std::memcmp(then, now, sizeof(double) * size) == 0) {
-        const auto& call =
-            cca::detail::plan_of<Graph>.calls[at(cca::detail::plan_of<Graph>.outputs[at(o)].call)];
         result.samples += call.phase == cca::detail::phase_of_beat::process;  // the others were fed
         continue;
       }
@@ -306,7 +327,7 @@ private:
   std::string reason, failed_component, mode_recorded, clock_says;
   const std::vector<std::vector<int>> orders = orders_of_beats<Graph>();
   std::deque<std::string> reasons;
-  bool has_samples = false;
+  bool has_samples = false, is_playing = false;
   replay_result result;
 };
 

@@ -1,6 +1,7 @@
 // A graph, deployment or set of modes whose resource nodes sense what a recording says, and act on nothing:
 // the same nodes, wires and ports, with `replayed<Robot>` in the place of each resource node. Its hooks don't
-// run, so no bus is opened and no world simulated.
+// run, so no bus is opened and no world simulated. Of free-running environments also the components publish
+// what was recorded (replayed_freely.hpp).
 #pragma once
 
 #include <cstddef>
@@ -14,49 +15,43 @@
 #include <cca/component/parameters.hpp>
 #include <cca/graph/deployment.hpp>
 #include <cca/graph/modes.hpp>
+#include <cca/graph/plan/deployment/part.hpp>
 #include <cca/graph/recordable.hpp>
+#include <cca/record/replay/replayed_freely.hpp>
+#include <cca/record/replay/replayed_results.hpp>
 #include <cca/runtime/controller.hpp>
 
 namespace cca::recording::detail {
 
-template <class Function>
+template <class Function, bool IsFree>
 struct replayed_sense;
-template <class Result, class... Parameters>
-struct replayed_sense<cca::detail::list<Result, Parameters...>> {
-  Result next{};
-  Result sense(const Parameters&...) { return next; }
+template <class Returned, bool IsFree, class... Parameters>
+struct replayed_sense<cca::detail::list<Returned, Parameters...>, IsFree> {
+  using result = std::conditional_t<IsFree, irregular_result<Returned>, Returned>;
+  result next{};
+  result sense(const Parameters&...) { return next; }
 };
-template <class Function>
+template <class Function, bool IsFree>
 struct replayed_act;
-template <class... Parameters>
-struct replayed_act<cca::detail::list<void, Parameters...>> {
+template <bool IsFree, class... Parameters>
+struct replayed_act<cca::detail::list<void, Parameters...>, IsFree> {
   void act(const Parameters&...) {}
 };
-template <class Result, class... Parameters>
-struct replayed_act<cca::detail::list<Result, Parameters...>> {
-  Result acted{};
-  Result act(const Parameters&...) { return acted; }
+template <class Returned, bool IsFree, class... Parameters>
+struct replayed_act<cca::detail::list<Returned, Parameters...>, IsFree> {
+  using result = std::conditional_t<IsFree, irregular_result<Returned>, Returned>;
+  result acted{};
+  result act(const Parameters&...) { return acted; }
 };
 
-template <class Result, class Parameters>
-struct signature_list;
-template <class Result, class... Parameters>
-struct signature_list<Result, cca::detail::list<Parameters...>> {
-  using type = cca::detail::list<Result, Parameters...>;
-};
-template <class Function>
-using signature_of =
-    typename signature_list<typename cca::detail::function_facts<Function>::result,
-                            typename cca::detail::function_facts<Function>::parameters>::type;
-
-template <class Robot, bool Senses = cca::detail::HasSense<Robot>>
+template <class Robot, bool IsFree, bool Senses = cca::detail::HasSense<Robot>>
 struct senses_again {};
-template <class Robot>
-struct senses_again<Robot, true> : replayed_sense<signature_of<decltype(&Robot::sense)>> {};
-template <class Robot, bool Acts = cca::detail::HasAct<Robot>>
+template <class Robot, bool IsFree>
+struct senses_again<Robot, IsFree, true> : replayed_sense<signature_of<decltype(&Robot::sense)>, IsFree> {};
+template <class Robot, bool IsFree, bool Acts = cca::detail::HasAct<Robot>>
 struct acts_again {};
-template <class Robot>
-struct acts_again<Robot, true> : replayed_act<signature_of<decltype(&Robot::act)>> {};
+template <class Robot, bool IsFree>
+struct acts_again<Robot, IsFree, true> : replayed_act<signature_of<decltype(&Robot::act)>, IsFree> {};
 template <class Robot, bool HasSome = HasParameters<Robot>>
 struct parameters_again {};
 template <class Robot>
@@ -69,32 +64,22 @@ struct parameters_again<Robot, true> {
 
 namespace cca::recording {
 
-template <ResourceNode Robot>
-struct replayed : detail::senses_again<Robot>, detail::acts_again<Robot>, detail::parameters_again<Robot> {
+// `IsFree`: of a free-running environment, whose samples arrived in any beat.
+template <ResourceNode Robot, bool IsFree = false>
+struct replayed : detail::senses_again<Robot, IsFree>,
+                  detail::acts_again<Robot, IsFree>,
+                  detail::parameters_again<Robot> {
   // Nothing is published in the next beat, but what `put` and `fail` say.
   void forget() {
     with_results([](auto& results) { results = {}; });
   }
   // The output number `port` of sense, or of act.
   void put(cca::detail::phase_of_beat phase, int port, std::int64_t origin, const double* coordinates) {
-    with_results(phase, [&](auto& results) {
-      int n = 0;
-      each(results, [&]<class One>(One& one) {
-        if constexpr (cca::detail::result_facts<One>::kind == cca::detail::result_kind::output)
-          if (n++ == port) {
-            for (int c = 0; c < One::space::size; ++c) one.vector()[c] = coordinates[c];
-            one.with_origin(origin);
-          }
-      });
-    });
+    with_results(phase, [&](auto& results) { detail::put_result(results, port, origin, coordinates); });
   }
   // In the beat in which it failed. Whether sense or act did is not recorded: what both published is fed.
   void fail(const char* reason) {
-    with_results([&](auto& results) {
-      each(results, [&]<class One>(One& one) {
-        if constexpr (std::is_same_v<One, fault>) one = fault(reason);
-      });
-    });
+    with_results([&](auto& results) { detail::fail_result(results, reason); });
   }
 
 private:
@@ -109,12 +94,6 @@ private:
       if (phase == cca::detail::phase_of_beat::sense) f(this->next);
     if constexpr (requires(replayed& r) { r.acted; })
       if (phase == cca::detail::phase_of_beat::act) f(this->acted);
-  }
-  template <class Results, class F>
-  static void each(Results& results, F f) {
-    if constexpr (requires { std::tuple_size<Results>::value; })
-      std::apply([&](auto&... all) { (f(all), ...); }, results);
-    else f(results);
   }
 };
 
@@ -139,20 +118,42 @@ struct replaying<M> : replaying_modes<typename M::cca_modes>, recordable {};
 
 namespace cca::detail {
 
-template <class Component>
+template <class Component, bool IsFree>
 struct component_in_replay {
   using type = Component;
 };
-template <ResourceNode Component>
-struct component_in_replay<Component> {
-  using type = recording::replayed<Component>;
+template <class Component>
+  requires(!ResourceNode<Component>)
+struct component_in_replay<Component, true> {
+  using type = recording::detail::replayed_freely<Component>;
+};
+template <ResourceNode Component, bool IsFree>
+struct component_in_replay<Component, IsFree> {
+  using type = recording::replayed<Component, IsFree>;
 };
 
 template <class Graph, int Node>
   requires(!Modes<Graph>)
 struct node_types<recording::replaying<Graph>, Node> {
-  using component = typename component_in_replay<typename node_types<Graph, Node>::component>::type;
+  using component = typename component_in_replay<typename node_types<Graph, Node>::component,
+                                                 is_free_node<Graph>(Node)>::type;
   using strategy = typename node_types<Graph, Node>::strategy;
 };
+
+// In a replay nobody knows in which beats the samples of a free-running environment arrived.
+template <Deployment D>
+  requires has_free_running<D>
+inline constexpr flat_of<recording::replaying<D>> plan_of<recording::replaying<D>> =
+    then<recording::replaying<D>>(finished<recording::replaying<D>>(), [](flat_view g) {
+      for (int c = 0; c < g.call_count; ++c) g.calls[c].irregular = is_free_node<D>(g.calls[c].node);
+      for (int i = 0; i < g.input_count; ++i) g.inputs[i].in_beat = g.inputs[i].own_initial = false;
+      for (int o = 0; o < g.output_count; ++o) {
+        auto& out = g.outputs[o];
+        out.storage = storage_kind::none;
+        out.depth = 0;
+        out.initial_of = nullptr;
+      }
+      return choose_storage(find_clocks(g));
+    });
 
 }  // namespace cca::detail

@@ -83,9 +83,9 @@ private:
     else if (e.mistake == misplaced::option)
       m.say()
           << " has the option `" << e.unknown_type
-          << "`, but its options are cca::realtime<Priority, cca::on_core<N>> and cca::realtime_if_allowed: "
-             "write one of them, or none (all nodes go into one cca::nodes<...>)";
-    else m.say() << " has two options, but one says how its thread runs: leave one of them";
+          << "`, but its options are cca::realtime<Priority, cca::on_core<N>>, cca::realtime_if_allowed and "
+             "cca::free_running: write one of them, or none (all nodes go into one cca::nodes<...>)";
+    else m.say() << " has two options of one kind, but one says how its thread runs: leave one of them";
   }
 
   static constexpr void tell_environment(auto& m) {

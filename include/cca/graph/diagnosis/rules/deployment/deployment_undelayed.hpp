@@ -1,4 +1,5 @@
-// deployment.undelayed: what goes from one environment to another is delayed.
+// deployment.undelayed: what goes from one environment to another is delayed, unless one of them is
+// free-running and no queue is between them.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -10,6 +11,7 @@ struct deployment_undelayed {
 
   static constexpr bool is_broken(when::crossing, const flat_view& g, const finding& f) {
     const auto& in = g.inputs[f.input];
+    if (!is_queued(in) && (is_free(g, in.call) || is_free(g, g.outputs[f.output].call))) return false;
     return in.delay < 1;
   }
 
@@ -63,6 +65,9 @@ private:
       m.say() << m.g.scopes[s].graph->name;
     }
     m.say() << ", or place its parts in one environment";
+  }
+  static constexpr bool is_free(const flat_view& g, int call) {
+    return g.environments[g.nodes[g.calls[call].node].environment].is_free_running;
   }
 };
 

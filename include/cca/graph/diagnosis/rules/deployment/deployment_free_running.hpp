@@ -1,0 +1,57 @@
+// deployment.free_running: what runs in a free-running environment is full_speed; and the first environment,
+// which gives the beat, is not free-running.
+#pragma once
+
+#include <cca/graph/diagnosis/rule.hpp>
+
+namespace cca::detail {
+
+struct deployment_free_running {
+  static constexpr std::string_view id = "deployment.free_running";
+
+  static constexpr bool is_broken(when::finished_environment, const flat_view& g, finding& f) {
+    if (!g.environments[f.environment].is_free_running) return false;
+    if (f.environment == 0) return true;
+    for (int n = 0; n < g.node_count; ++n)
+      if (g.nodes[n].environment == f.environment &&
+          (!is_full_speed(*g.nodes[n].item) || g.nodes[n].part >= 0)) {
+        f.item = g.nodes[n].item;
+        f.scope = g.nodes[n].scope;
+        f.component = n;
+        return true;
+      }
+    return false;
+  }
+
+  static constexpr void tell(auto& m) {
+    if (!m.found().item) {
+      m.where << m.g.environments[0].name;
+      m.environment(0);
+      m.say() << " is the first of " << m.deployment().name
+              << ", which gives the beat, but a cca::free_running one has none: put the environment of the "
+                 "robot before it";
+      return;
+    }
+    m.at_node();
+    m.node();
+    m.say() << " runs in ";
+    m.environment(m.found().environment);
+    m.say() << ", whose cycles begin without pause, but ";
+    if (is_full_speed(m.item())) {
+      m.say() << "it is in a part that can be stopped: place it in another environment, or make the part "
+                 "none that stops";
+      return;
+    }
+    m.say() << "its strategy is ";
+    strategy_of_call(m.g, m.g.calls[m.g.nodes[m.found().component].first_call]).add_name(m.say());
+    m.say() << ": write cca::node<`" << m.item().from << "`, " << m.item().component->name()
+            << ", cca::full_speed>, or place it in another environment";
+  }
+
+private:
+  static constexpr bool is_full_speed(const item_info& node) {
+    return node.strategy_key == type_key<full_speed>;
+  }
+};
+
+}  // namespace cca::detail

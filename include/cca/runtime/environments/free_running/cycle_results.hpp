@@ -1,0 +1,128 @@
+// What the cycles of a free-running environment publish, on its way to the beat at wall-clock speed: of each
+// output the newest sample. One writer, its thread; one reader, the first environment, when a beat begins.
+// Both are wait-free: each has a slot of its own, and they exchange it for the one in between. All samples of
+// a cycle come together, and a sample that a later cycle does not publish again is not lost.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <utility>
+
+#include <cca/base/array_size.hpp>
+#include <cca/base/eigen.hpp>
+#include <cca/runtime/environments/crossing.hpp>
+
+namespace cca::detail {
+
+// The outputs of environment E that others read.
+template <class D, int E>
+struct leaves_from {
+  static constexpr bool holds(std::size_t o) {
+    auto plan = plan_of<D>;
+    return crossings_of<D>.largest_delay[o] > 0 && environment_of(plan.view(), plan.outputs[o].call) == E;
+  }
+};
+template <class D, int E>
+using outputs_leaving = chosen<counts_of<D>.output_count, leaves_from<D, E>>;
+
+// The outputs of all free-running environments that others read.
+template <class D, class Free = free_environments<D>>
+struct leaves_freely;
+template <class D, int... E>
+struct leaves_freely<D, std::integer_sequence<int, E...>> {
+  static constexpr bool holds([[maybe_unused]] std::size_t o) { return (leaves_from<D, E>::holds(o) || ...); }
+};
+
+template <class D, int Output>
+struct result_of_cycle {
+  static constexpr int size = size_of_output<D, Output>;
+
+  std::uint64_t cycle = 0;  // in which it was published; 0: never
+  std::int64_t origin = 0;
+  std::array<double, array_size(size)> coordinates{};
+
+  auto vector() const { return Eigen::Map<const Eigen::Matrix<double, size, 1>>(coordinates.data()); }
+  template <class Vector>
+  void put(std::uint64_t in, std::int64_t from, const Vector& v) {
+    cycle = in;
+    origin = from;
+    Eigen::Map<Eigen::Matrix<double, size, 1>>(coordinates.data()) = v;
+  }
+};
+
+template <class D, int E, class Outputs = outputs_leaving<D, E>>
+class cycle_results;
+template <class D, int E, int... Output>
+class cycle_results<D, E, std::integer_sequence<int, Output...>> {
+public:
+  struct slot : result_of_cycle<D, Output>... {
+    template <int Number>
+    auto& at() {
+      return static_cast<result_of_cycle<D, Number>&>(*this);
+    }
+    template <int Number>
+    const auto& at() const {
+      return static_cast<const result_of_cycle<D, Number>&>(*this);
+    }
+  };
+
+  // ---- the writer's ----
+
+  // A run begins. What a process that died in a cycle has left in its slot is forgotten.
+  void begin_run() noexcept { slots[own] = slots[newest]; }
+
+  template <int Number, class Vector>
+  void put(const Vector& v, std::int64_t origin) noexcept {
+    slots[own].template at<Number>().put(cycles.load(std::memory_order_relaxed) + 1, origin, v);
+    has_news.store(true, std::memory_order_relaxed);
+  }
+  void end_cycle() noexcept {
+    const std::uint64_t cycle = cycles.load(std::memory_order_relaxed) + 1;
+    cycles.store(cycle, std::memory_order_relaxed);
+    if (!has_news.exchange(false, std::memory_order_relaxed)) return;
+    (keep<Output>(cycle), ...);
+    hand_over();
+  }
+  // What came from another process: `fill(slot)` writes all of it.
+  template <class F>
+  void put_all(F fill) noexcept {
+    fill(slots[own]);
+    hand_over();
+  }
+
+  // ---- the reader's ----
+
+  // The newest results; null: those that it has. They stay until the next call.
+  const slot* take() noexcept {
+    if (!(between.load(std::memory_order_relaxed) & fresh)) return nullptr;
+    taken = between.exchange(taken, std::memory_order_acq_rel) & number;
+    return &slots[taken];
+  }
+
+private:
+  static constexpr std::uint32_t number = 3, fresh = 4;
+
+  void hand_over() noexcept {
+    newest = std::uint32_t{own};
+    own = between.exchange(own | fresh, std::memory_order_acq_rel) & number;
+  }
+
+  // An output that this cycle did not publish: its newest sample is in the slot of an earlier one. Nobody
+  // changes that one: only the writer fills slots.
+  template <int Number>
+  void keep(std::uint64_t cycle) noexcept {
+    auto& here = slots[own].template at<Number>();
+    const auto& last = slots[newest].template at<Number>();
+    if (here.cycle != cycle && here.cycle != last.cycle) here = last;
+  }
+
+  std::array<slot, 3> slots{};
+  std::atomic<std::uint64_t> cycles{0};
+  std::atomic<std::uint32_t> own{0}, newest{1}, taken{2};  // slots; atomic only because processes share them
+  alignas(64) std::atomic<std::uint32_t> between{1};
+  std::atomic<bool> has_news{false};
+};
+
+}  // namespace cca::detail

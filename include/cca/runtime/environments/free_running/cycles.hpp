@@ -1,0 +1,139 @@
+// What the loop of an environment does for the sake of free-running ones, at wall-clock speed. `Loop` is it.
+//
+//   cycles_of        of a free-running environment: cycles without pause instead of beats
+//   admission_of     of the first environment: what they publish enters its beats
+//
+// Other loops have nothing of it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <cca/runtime/environments/free_running/free_arrivals.hpp>
+#include <cca/runtime/pace.hpp>
+
+namespace cca::detail {
+
+// So long nobody is asked whether a process is there for which this environment never waits, ns.
+inline constexpr std::int64_t most_trust = 10'000'000;
+
+template <class Loop, class D, int E, bool IsFree = is_free_running<D, E>>
+class cycles_of {
+public:
+  // What its samples are numbered by: beats, or the cycles of a free-running environment.
+  std::int64_t index() const { return loop().k; }
+  // What happens now comes before this beat.
+  std::int64_t next_beat() const { return loop().k; }
+
+protected:
+  std::int64_t beat_that_begins() const { return loop().k; }
+  void begin_cycle(std::int64_t) noexcept {}
+  void skip_indices(std::int64_t) noexcept {}
+
+private:
+  const Loop& loop() const { return static_cast<const Loop&>(*this); }
+};
+
+template <class Loop, class D, int E>
+class cycles_of<Loop, D, E, true> {
+public:
+  std::int64_t index() const { return loop().state.index; }
+  std::int64_t next_beat() { return is_on_a_clock() ? std::max(loop().k, loop().begun() + 1) : loop().k; }
+
+protected:
+  // A cycle begins in the newest beat.
+  std::int64_t beat_that_begins() { return loop().state.is_exact ? loop().k : loop().begun(); }
+  void begin_cycle(std::int64_t beat) noexcept { loop().state.begin_cycle(beat); }
+  void skip_indices(std::int64_t next) noexcept {
+    if (next <= loop().k) return;
+    loop().state.index += next - loop().k;
+    loop().state.beat = next - 1;
+  }
+
+  // From the first beat of the run on, until its last one is done.
+  template <class AfterCycle>
+  void run_freely(std::int64_t end, AfterCycle after_cycle) {
+    if (loop().k == end || !loop().wait_for_beat(loop().k, after_cycle)) return;
+    auto& shared = loop().shared();
+    const auto is_over = [&] {
+      return !loop().goes_on() || shared.position(0) >= exchange<D>::position_of(end);
+    };
+    std::int64_t asked_at = 0;
+    while (!is_over()) {
+      run_cycle();
+      if (loop().active_at - asked_at > most_trust) {
+        asked_at = loop().active_at;
+        loop().state.look_for(0, loop().position(), is_over);
+      }
+      if (!after_cycle()) loop().stop();
+    }
+  }
+  // After a run, before beat `next`. Cycles are no beats, so none was left out.
+  void end_cycles(std::int64_t next) {
+    auto& state = loop().state;
+    if (state.index > 0) repeat_outputs<part<D, E>>(state, state.index - 1);
+    if (next > loop().k) loop().tell_skipped(loop().k, next - loop().k, false);
+    loop().k = loop().done = next;
+    loop().tell_reached();
+  }
+
+private:
+  void run_cycle() noexcept {
+    auto& own = loop().own();
+    loop().active_at = monotonic_clock::now();
+    own.slowest.begin(loop().begun(), loop().active_at);
+    loop().run_beat();
+    const std::int64_t needed = monotonic_clock::now() - loop().active_at;
+    own.duration.add(needed);
+    own.slowest.end(loop().state.beat, needed);
+    loop().state.ring();
+    loop().tell_reached();
+  }
+  bool is_on_a_clock() const { return loop().state.shared && !loop().state.is_exact; }
+  Loop& loop() { return static_cast<Loop&>(*this); }
+  const Loop& loop() const { return static_cast<const Loop&>(*this); }
+};
+
+template <class Loop, class D, int E, bool Admits = E == 0 && has_free_running<D>>
+class admission_of {
+protected:
+  void begin_admission() noexcept {}
+  void admit() noexcept {}
+  void tell_arrivals() noexcept {}
+  void look_for_free(std::int64_t) noexcept {}
+};
+
+template <class Loop, class D, int E>
+class admission_of<Loop, D, E, true> {
+protected:
+  // Of a run.
+  void begin_admission() noexcept {
+    if (loop().state.is_exact) arrivals.forget(loop().shared());
+  }
+  // Of a beat.
+  void admit() noexcept { arrivals.admit(loop().shared(), loop().k); }
+  // In the frame of this beat, of which they are.
+  void tell_arrivals() noexcept {
+    if (loop().state.is_exact || !loop().state.tap.get()) return;
+    arrivals.for_each([this]<int Output>(const auto& coordinates, std::int64_t origin) {
+      tell_recorder<part<D, E>>(loop().state.frame, Output, coordinates, origin);
+    });
+  }
+  // Between two beats, before the last. Nobody waits for a free-running environment, and it is never late: so
+  // it is asked whether its process is there.
+  void look_for_free(std::int64_t end) noexcept {
+    if (loop().k >= end || loop().active_at - asked_at <= most_trust) return;
+    asked_at = loop().active_at;
+    for (int x = 0; x < environment_count<D>; ++x)
+      if (environments_of<D>::all[array_size(x)].is_free_running)
+        loop().state.look_for(x, loop().position(), [this] { return !loop().goes_on(); });
+  }
+
+private:
+  Loop& loop() { return static_cast<Loop&>(*this); }
+
+  free_arrivals<D> arrivals{};
+  std::int64_t asked_at = 0;
+};
+
+}  // namespace cca::detail

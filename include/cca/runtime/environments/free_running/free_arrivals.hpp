@@ -1,0 +1,80 @@
+// How the samples of free-running environments enter the beats at wall-clock speed: the first environment,
+// which gives the beat, takes the newest results when a beat begins, and puts them into rings with the number
+// of this beat. So all readers, and a recording, agree on the beat in which a sample arrived.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include <cca/runtime/environments/exchange.hpp>
+
+namespace cca::detail {
+
+// Of one free-running environment.
+template <class D, int E, class Outputs = outputs_leaving<D, E>>
+class arrivals_from;
+template <class D, int E, int... Output>
+class arrivals_from<D, E, std::integer_sequence<int, Output...>> {
+public:
+  // A fast run begins: what has not arrived yet never does.
+  void forget(exchange<D>& shared) noexcept {
+    if (const auto* const last = shared.template results<E>().take())
+      (void(seen[index<Output>] = last->template at<Output>().cycle), ...);
+    news = nullptr;
+  }
+  // Beat k begins.
+  void admit(exchange<D>& shared, std::int64_t k) noexcept {
+    news = shared.template results<E>().take();
+    if (news) (admit_one<Output>(shared, k), ...);
+  }
+  // f.template operator()<Output>(coordinates, origin) for each sample that arrived in this beat.
+  template <class F>
+  void for_each(F f) const {
+    if (!news) return;
+    (void(is_new[index<Output>] ? f.template operator()<Output>(news->template at<Output>().vector(),
+                                                                news->template at<Output>().origin)
+                                : void()),
+     ...);
+  }
+
+private:
+  template <int Number>
+  static constexpr std::size_t index = [] {
+    std::size_t at = 0;
+    ((Output < Number ? ++at : at), ...);
+    return at;
+  }();
+
+  template <int Number>
+  void admit_one(exchange<D>& shared, std::int64_t k) noexcept {
+    const auto& result = news->template at<Number>();
+    is_new[index<Number>] = result.cycle != seen[index<Number>];
+    if (!is_new[index<Number>]) return;
+    seen[index<Number>] = result.cycle;
+    shared.template arrived<Number>().put(result.vector(), result.origin, k);
+  }
+
+  const typename cycle_results<D, E>::slot* news = nullptr;
+  std::array<std::uint64_t, sizeof...(Output) + 1> seen{};  // the cycle of the newest that arrived
+  std::array<bool, sizeof...(Output) + 1> is_new{};
+};
+
+// Of all of them.
+template <class D, class Environments = free_environments<D>>
+struct free_arrivals;
+template <class D, int... E>
+struct free_arrivals<D, std::integer_sequence<int, E...>> : arrivals_from<D, E>... {
+  void forget([[maybe_unused]] exchange<D>& shared) noexcept {
+    (static_cast<arrivals_from<D, E>&>(*this).forget(shared), ...);
+  }
+  void admit([[maybe_unused]] exchange<D>& shared, [[maybe_unused]] std::int64_t k) noexcept {
+    (static_cast<arrivals_from<D, E>&>(*this).admit(shared, k), ...);
+  }
+  template <class F>
+  void for_each([[maybe_unused]] F f) const {
+    (static_cast<const arrivals_from<D, E>&>(*this).for_each(f), ...);
+  }
+};
+
+}  // namespace cca::detail

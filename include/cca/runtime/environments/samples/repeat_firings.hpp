@@ -1,0 +1,34 @@
+// A function whose clock is known in the whole architecture counts as fired in a beat that was cut, as in one
+// loop, also where its clock is not known in the part of its environment.
+#pragma once
+
+#include <cstdint>
+
+#include <cca/runtime/environments/crossing.hpp>
+
+namespace cca::detail {
+
+template <class D, int E, class State>
+bool is_started_in([[maybe_unused]] const State& state,
+                   [[maybe_unused]] const call& c,
+                   [[maybe_unused]] std::int64_t beat) {
+  if constexpr (parts_kept<part<D, E>> > 0) {
+    const int part = plan_of<D>.nodes[array_size(c.node)].part;
+    return part < 0 || (!state.parts[array_size(part)].rests && state.parts[array_size(part)].since <= beat);
+  }
+  return true;
+}
+
+template <class D, int E, class State>
+void repeat_firings([[maybe_unused]] State& state, [[maybe_unused]] std::int64_t beat) {
+  if constexpr (layout_of<part<D, E>>.firing_count > 0)
+    for (std::size_t c = 0; c < array_size(counts_of<D>.call_count); ++c)
+      if (const int at = layout_of<part<D, E>>.calls[c].firing;
+          at >= 0 && is_started_in<D, E>(state, plan_of<D>.calls[c], beat) &&
+          ticks(plan_of<D>.calls[c].own_clock, beat)) {
+        state.firings[at].last = beat;
+        state.firings[at].is_first = false;
+      }
+}
+
+}  // namespace cca::detail
