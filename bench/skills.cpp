@@ -146,7 +146,11 @@ struct by_hand {
   skills::ball_state ball_told = skills::ball_state::unseen;
   skills::paw_state paw_told = skills::paw_state::raised;
   cca::component_status dmp_told = cca::component_status::converging;
-  bool region_told = false, begun = false;  // the module's status is published too: dmp.status.module
+  bool walks = true, heads = true,
+       touches = true;  // the parts that run: cpg and dmp; heading; aim and reaching
+  double radius = 0, phase = 0;
+  bool region_told = false, begun = false,
+       dmp_begun = false;  // the module's status is published too: dmp.status.module
   vector8 last_legs;
   vector4 last_sideways;
 
@@ -211,6 +215,20 @@ struct by_hand {
     step_began = k;
     held_since = -1;
     timed_out = by_timeout;
+  }
+
+  void run_what_is_needed() {
+    const bool stands = 3 <= now_on && now_on <= 7, reaches = 3 <= now_on && now_on <= 6;
+    if (!walks && !stands) {
+      cpg = {};
+      dmp_begun = false;
+      dmp_rests = {};
+      follows = {};
+    }
+    if (!touches && reaches) at_ball = {};
+    walks = !stands;
+    heads = now_on <= 1 || now_on == 9;
+    touches = reaches;
   }
 
   template <class Leg>
@@ -278,10 +296,12 @@ struct by_hand {
     const Vector3d paw = right ? cca::chain_pose<skills::right_front>(paw_joints).tip().at
                                : cca::chain_pose<skills::left_front>(paw_joints).tip().at;
     const Vector3d missing = ball - paw;
-    if (missing.norm() < aiming.near)
-      correction =
-          (correction + aiming.gain * dt * missing).cwiseMax(-aiming.most).cwiseMin(+aiming.most).eval();
-    else correction.setZero();
+    if (touches) {
+      if (missing.norm() < aiming.near)
+        correction =
+            (correction + aiming.gain * dt * missing).cwiseMax(-aiming.most).cwiseMin(+aiming.most).eval();
+      else correction.setZero();
+    }
 
     // Orders and inverse kinematics.
     if (k % 10 == 0) {
@@ -342,54 +362,57 @@ struct by_hand {
       goal[4 + side] += more[2];
     }
 
-    // Hopf Oscillator.
-    cca::detail::input_check drives;
-    const cca::hopf_ode::input drive = drives(cca::hopf_ode::input(wanted, frequency));
-    double radius = 0;
-    if (drives.unreadable()) {
-      radius = std::max(ember, cpg.get().norm());
-    } else {
-      cpg.advance(drive, {convergence}, dt);
-      cca::hopf_ode::state x = cpg.get();
-      radius = std::sqrt(x.dot(x));
-      if (radius < ember) {
-        x = radius > 0 ? cca::hopf_ode::state(ember / radius * x) : cca::hopf_ode::state(ember, 0);
-        radius = ember;
-        cpg.set(x);
+    vector8 command = goal;  // while the gait rests
+    if (walks) {
+      // Hopf Oscillator.
+      cca::detail::input_check drives;
+      const cca::hopf_ode::input drive = drives(cca::hopf_ode::input(wanted, frequency));
+      if (drives.unreadable()) {
+        radius = std::max(ember, cpg.get().norm());
+      } else {
+        cpg.advance(drive, {convergence}, dt);
+        cca::hopf_ode::state x = cpg.get();
+        radius = std::sqrt(x.dot(x));
+        if (radius < ember) {
+          x = radius > 0 ? cca::hopf_ode::state(ember / radius * x) : cca::hopf_ode::state(ember, 0);
+          radius = ember;
+          cpg.set(x);
+        }
+        cpg_rests.update(radius > ember ? cpg.rate(drive, {convergence}).norm() : 0.0, cpg_settles);
       }
-      cpg_rests.update(radius > ember ? cpg.rate(drive, {convergence}).norm() : 0.0, cpg_settles);
-    }
-    const double phase = std::atan2(cpg.get()[1], cpg.get()[0]);
+      phase = std::atan2(cpg.get()[1], cpg.get()[0]);
 
-    // DMP Transformation System.
-    cca::detail::input_check read;
-    const vector8 centre = read(goal);
-    const double hertz = read.number(frequency, 0.01, cca::largest_input),
-                 swing = std::max(0.0, read.number(radius)), at_phase = read.number(phase);
-    const double tau = 1 / (2 * pi * hertz);
-    const shape::parameters at{known.function.weights, stiffness_of_shape};
-    shape::input u;
-    u << centre, swing, tau;
-    vector8 command = dmp.get().head<8>();
-    if (!read.unreadable()) {
-      shape::state x = dmp.get();
-      if (!begun) {
-        x.setZero();
-        x.head<8>() = centre;
-      }
-      x[16] = at_phase - dt / tau;
-      dmp.set(x);
-      dmp.advance(u, at, dt);
-      dmp_rests.update(dmp.rate(u, at).head<16>().norm(), dmp_settles);
+      // DMP Transformation System.
+      cca::detail::input_check read;
+      const vector8 centre = read(goal);
+      const double hertz = read.number(frequency, 0.01, cca::largest_input),
+                   swing = std::max(0.0, read.number(radius)), at_phase = read.number(phase);
+      const double tau = 1 / (2 * pi * hertz);
+      const shape::parameters at{known.function.weights, stiffness_of_shape};
+      shape::input u;
+      u << centre, swing, tau;
       command = dmp.get().head<8>();
+      if (!read.unreadable()) {
+        shape::state x = dmp.get();
+        if (!dmp_begun) {
+          x.setZero();
+          x.head<8>() = centre;
+          dmp_begun = true;
+        }
+        x[16] = at_phase - dt / tau;
+        dmp.set(x);
+        dmp.advance(u, at, dt);
+        dmp_rests.update(dmp.rate(u, at).head<16>().norm(), dmp_settles);
+        command = dmp.get().head<8>();
+      }
+      region_told = module::learner::inside(known, {at_phase, swing}, settings);
+      const double error = cca::detail::furthest(vector8(command - angles));
+      const auto tracked = follows.update(error, tracking, dt);
+      dmp_told = cca::component_status_from(tracked, static_cast<cca::trained_region>(region_told), true);
     }
-    region_told = module::learner::inside(known, {at_phase, swing}, settings);
-    const double error = cca::detail::furthest(vector8(command - angles));
-    const auto tracked = follows.update(error, tracking, dt);
-    dmp_told = cca::component_status_from(tracked, static_cast<cca::trained_region>(region_told), true);
 
     // Trunk: heading, steering, balance.
-    if (k % 10 == 0) {
+    if (heads && k % 10 == 0) {
       const Vector3d hip = skills::hip_in_trunk(right ? 1 : 0);
       const double ahead = ball[0] - hip[0],
                    beside = ball[1] - hip[1] + cca::sim::side_of(right ? 1 : 0) * heading.inside;
@@ -416,7 +439,7 @@ struct by_hand {
     }
 
     // Status.
-    if (seen) at_ball.update(std::sqrt(missing.dot(missing)), reaching, dt);
+    if (touches && seen) at_ball.update(std::sqrt(missing.dot(missing)), reaching, dt);
     ball_told = !seen     ? skills::ball_state::unseen
                 : way < 0 ? skills::ball_state::near
                           : skills::ball_state::ahead;
@@ -451,6 +474,7 @@ struct by_hand {
     last_legs = safe;
     last_sideways = safe_sideways;
     body.take(safe, safe_sideways, safe_stiffness);
+    if (k % 10 == 0) run_what_is_needed();  // from the next beat on
     begun = true;
     ++k;
   }

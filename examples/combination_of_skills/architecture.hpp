@@ -54,6 +54,9 @@ struct tracking_criterion : cca::tracking<oncilla::leg_angles> {
 template <int Examples = 1>
 struct dmp_transformation_system : cca::tracker<shape_of_trot<Examples>, tracking_criterion> {};
 
+struct gait_or_stand : cca::arbiter<"angles", oncilla::leg_angles, cca::by_priority<"walking", "standing">> {
+};
+
 // Is the paw at the ball? Published as `reaching.status`.
 struct reaching_criterion : cca::reaching_goal<point_in_trunk> {
   reaching_criterion() { p.limits = {0.002, 0.004, 1.0, 0.1}; }
@@ -74,8 +77,8 @@ struct architecture
                  cca::node<"inverse_kinematics", inverse_kinematics>,
                  cca::node<"hip_reaching", reaching_controller<hip_angles>, cca::timed<1>>,
                  cca::node<"knee_reaching", reaching_controller<knee_angles>, cca::timed<1>>,
-                 cca::node<"cpg", oscillator, cca::timed<1>>,
-                 cca::node<"dmp", dmp_transformation_system<>>,
+                 cca::node<"cpg", oscillator, cca::stoppable<cca::timed<1>>>,
+                 cca::node<"dmp", dmp_transformation_system<>, cca::stoppable<>>,
 
                  // From the sequencer to the joints.
                  cca::wire<"sequencer.step", "orders.step">,
@@ -93,7 +96,11 @@ struct architecture
                  cca::wire<"cpg.amplitude", "dmp.amplitude">,
                  cca::wire<"steady.angles", "dmp.reference">,
                  cca::wire<"robot.angles", "dmp.feedback">,
-                 cca::wire<"dmp.command", "steering.command">,
+                 // While the gait rests, the legs follow the Reaching Controllers.
+                 cca::node<"gait", gait_or_stand, cca::port_triggered<"standing">>,
+                 cca::wire<"dmp.command", "gait.walking">,
+                 cca::wire<"steady.angles", "gait.standing">,
+                 cca::wire<"gait.angles", "steering.command">,
                  cca::wire<"steering.angles", "balance.command">,
                  cca::wire<"balance.angles", "limits.command">,
                  cca::wire<"limits.safe", "robot.command">,
@@ -115,7 +122,7 @@ struct architecture
                  cca::wire<"measured.knees", "knee_reaching.start">,
 
                  // The trunk: heading, balance.
-                 cca::node<"heading", heading, cca::timed<10>>,
+                 cca::node<"heading", heading, cca::stoppable<cca::timed<10>>>,
                  cca::node<"steering", steering, cca::port_triggered<"command">>,
                  cca::node<"balance", balance, cca::port_triggered<"command">>,
                  cca::wire<"robot.orientation", "heading.orientation", cca::latest>,
@@ -129,9 +136,9 @@ struct architecture
 
                  // The ball and the paw.
                  cca::node<"paw", nearer_paw, cca::timed<1>>,
-                 cca::node<"aim", aim, cca::timed<1>>,
+                 cca::node<"aim", aim, cca::stoppable<cca::timed<1>>>,
                  cca::node<"ball", ball_watch, cca::timed<1>>,
-                 cca::node<"reaching", reaching>,
+                 cca::node<"reaching", reaching, cca::stoppable<>>,
                  cca::wire<"camera.ball", "ball.ball", cca::latest>,
                  cca::wire<"camera.ball", "paw.ball", cca::latest>,
                  cca::wire<"robot.angles", "paw.angles">,

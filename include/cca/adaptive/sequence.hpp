@@ -16,6 +16,9 @@
 // beats of the running step, it goes to that step instead. `held_for<N>`: the condition must hold for N
 // consecutive beats.
 //
+// `needs<"reach", "aim">`: the parts that the step needs (docs/controller.md). Of the parts that any step
+// names, those that the running step needs run, the others are stopped; a step that names none needs none.
+//
 // Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value>, after<N> beats of the
 // running step, all<C...>, any<C...>, no<C>. A step without a condition starts at once. Your own condition is
 // a struct with a template `bool holds(const Heard&)`; `heard.template value<"path">()` is the observed
@@ -35,6 +38,8 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include <cca/adaptive/plan/steps.hpp>
 #include <cca/component/beat.hpp>
@@ -74,6 +79,9 @@ public:
     else if (wanted.limit >= 0 && all.beats() >= wanted.limit)
       enter(Plan::ways[static_cast<std::size_t>(next)].otherwise, now, true);
   }
+
+  // What the component returns for that, beside its outputs: a tuple of cca::starts and cca::stops.
+  constexpr auto asks() const { return Plan::asks(current); }
 
   int step() const { return current; }
   std::string_view name() const { return Plan::table[static_cast<std::size_t>(current)].name; }
@@ -192,4 +200,15 @@ private:
   bool by_timeout = false, missing = false;
 };
 
+namespace detail {
+
+// The results of a component that holds a sequence: its own, and those that start and stop parts.
+template <class Plan, class... Own>
+using with_parts = joined_parts<std::tuple<Own...>, decltype(Plan::asks(0))>;
+template <class Plan, class... Own>
+constexpr with_parts<Plan, Own...> add_parts(int step, Own... own) {
+  return std::tuple_cat(std::tuple<Own...>(std::move(own)...), Plan::asks(step));
+}
+
+}  // namespace detail
 }  // namespace cca

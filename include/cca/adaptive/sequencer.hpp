@@ -9,6 +9,7 @@
 //   out "running"     step_time              s since the step began
 //   out "timed_out"   step_flag              1 if the step began by a timeout
 //   out "status"      component_status_port  reached in the last step, converging before
+//   starts, stops     of a plan that names parts (needs<...> in sequence.hpp): asked for in each firing
 //   fault             if a condition of your own asks for a path without a publisher and does not say so
 //
 // Paths in conditions are looked up as patterns are: in the graph of the sequencer, then in those around it.
@@ -63,18 +64,22 @@ struct sequencer {
   sequence<Plan> steps;
 
   auto process(observe<detail::with_components<Scope>(), Policy> told, beat now)
-      -> std::tuple<out<"step", step_port>,
-                    out<"running", step_time>,
-                    out<"timed_out", step_flag>,
-                    out<"status", component_status_port>,
-                    fault> {
+      -> detail::with_parts<Plan,
+                            out<"step", step_port>,
+                            out<"running", step_time>,
+                            out<"timed_out", step_flag>,
+                            out<"status", component_status_port>,
+                            fault> {
     steps.update(now, told);
     const std::int64_t period = now.index() > 0 ? now.time() / now.index() : 0;
-    return {steps.step(), 1e-9 * static_cast<double>(steps.beats(now) * period), steps.timed_out() ? 1 : 0,
-            status_of(steps.finished() ? component_status::reached : component_status::converging),
-            steps.unheard()
-                ? fault("sequencer: a condition names a path that nobody publishes under its scope")
-                : fault()};
+    return detail::add_parts<Plan>(
+        steps.step(), out<"step", step_port>(steps.step()),
+        out<"running", step_time>(1e-9 * static_cast<double>(steps.beats(now) * period)),
+        out<"timed_out", step_flag>(steps.timed_out() ? 1 : 0),
+        out<"status", component_status_port>(
+            status_of(steps.finished() ? component_status::reached : component_status::converging)),
+        steps.unheard() ? fault("sequencer: a condition names a path that nobody publishes under its scope")
+                        : fault());
   }
 
   void on_start() { steps = {}; }

@@ -37,6 +37,8 @@ public:
     clock->wait(time);
     if (!clock->fault()) beats->begin(clock->last_begun());
   }
+  // False: without a clock there is no speed.
+  bool set_speed(double factor) { return clock && clock->set_speed(factor); }
   cca::fault fault() const { return clock ? clock->fault() : cca::fault(); }
   std::int64_t last_begun() const { return clock ? clock->last_begun() : at_speed::never_begun; }
   std::int64_t duration_of(std::int64_t time) const { return clock ? clock->duration_of(time) : 0; }

@@ -43,6 +43,7 @@ struct run_settings {
   std::vector<std::string> configs{};          // files with parameters, in this order
   std::vector<std::string> only{};             // the environments of this process; none: all
   bool quiet = false;                          // prints no figures
+  bool commands = false;                       // reads pause, step and speed from any standard input
   std::string record{};                        // a file for a recording; empty: none (docs/recordings.md)
   std::vector<std::string> record_scopes{};    // of the ports to record; none: all
   std::string page{};                          // an HTML file with the recording; empty: none (docs/page.md)
@@ -81,6 +82,9 @@ public:
   virtual void stop(controller_type& c) {
     if (c.state() == state::started || c.state() == state::faulted) c.stop();
   }
+  // Of another thread, for example: pauses the run, makes single beats, changes the speed.
+  detail::run_control control{};
+
   // Prints and writes what it has. Its exit code counts if neither a fault nor a signal has ended the run.
   virtual int finish(controller_type&) { return 0; }
 

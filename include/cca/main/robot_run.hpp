@@ -9,6 +9,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include <cca/main/descriptions.hpp>
 #include <cca/main/observed_run.hpp>
 #include <cca/main/robot_program.hpp>
+#include <cca/main/run_commands.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
@@ -128,8 +130,11 @@ private:
   struct until_signal {
     const AfterBeat& after_beat;
     const interruption& signals;
+    run_control& controlled;
     bool operator()(controller_type& c) const { return after_beat(c); }
     bool is_over() const { return signals.is_over(); }
+    run_control& control() const { return controlled; }
+    bool while_paused(controller_type&) const { return !signals; }
   };
 
   void run(controller_type& c, const interruption& interrupted) {
@@ -145,12 +150,19 @@ private:
         if (s.speed) beats.end();
       return goes_on = program.between(running) && !interrupted;
     };
-    const until_signal<decltype(after_beat)> between{after_beat, interrupted};
+    const until_signal<decltype(after_beat)> between{after_beat, interrupted, program.control};
+    if (gives_beat()) typed.emplace(program.control, called, s.commands);
     if constexpr (!is_deployed) c.run(length, counted_pace(s.speed, beats), between);
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
     const bool is_over = !goes_on || c.state() == state::faulted || c.beat_index() - first >= length.count;
     if (!is_over) ended_by_others = "another process has ended the run " + at(c);
+  }
+
+  // Only the process of the first environment can pause the run.
+  bool gives_beat() const {
+    if constexpr (is_deployed) return program.runs(name_of_environment<typename Program::architecture>(0));
+    else return true;
   }
 
   void stop(controller_type& c) {
@@ -213,6 +225,7 @@ private:
   std::string called, ended_by_others{};
   bool is_to_stop = false;
   counted_beats beats{};
+  std::optional<run_commands> typed{};  // its thread ends when all is written: a robot does not wait for it
 };
 
 }  // namespace cca::detail

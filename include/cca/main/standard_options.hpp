@@ -145,6 +145,10 @@ void offer_standard_options(command_line& line, Program& p) {
       p.prepare(c);
       for (const std::string& file : p.settings.configs) read_parameters(c, file);
     });
+  if (!line.has("--commands"))
+    line.flag("--commands", s.commands,
+              "reads p (pause), g (go on), s (one beat) and a speed, each a line, from any input, not only a "
+              "terminal");
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
 

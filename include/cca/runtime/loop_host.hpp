@@ -38,10 +38,16 @@ public:
       const end_of_run at_the_end{now};
       const std::int64_t beats = duration.beats(period());
       runs.begin(pace, period());
+      std::int64_t paced_from = 0;
       for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
-        if (const cca::fault late = wait(pace, i * period())) fail({late.reason(), -1});
+        if (const cca::fault late = wait(pace, (i - paced_from) * period())) fail({late.reason(), -1});
         else self().advance();
         if (!goes_on_after(between, self())) break;
+        if constexpr (Controls<Between, Self>)
+          if (between.control().has_news()) [[unlikely]] {
+            if (!obey(pace, between)) break;
+            paced_from = i + 1;
+          }
       }
     }
     if (now == cca::state::started) this->tell_state();
@@ -80,6 +86,18 @@ protected:
 
 private:
   Self& self() { return static_cast<Self&>(*this); }
+
+  // False: the run ends. After a pause nothing is caught up.
+  template <class Pace, class Between>
+  [[gnu::noinline]] bool obey(Pace& pace, Between& between) {
+    const auto goes_on = [&] {
+      if constexpr (any_component<Graph, call_on_idle>) this->idle();
+      return now == cca::state::running && between.while_paused(self());
+    };
+    if (!between.control().obey(pace, period(), goes_on)) return false;
+    runs.begin(pace, period());
+    return true;
+  }
 
   template <class Pace>
   cca::fault wait(Pace& pace, std::int64_t time) {

@@ -55,6 +55,13 @@ public:
       throw refused("cca::at_speed: " + std::to_string(factor) + " is no pace, expected a number above 0");
   }
 
+  // From the next beat on; false, and nothing changes: it is no speed.
+  bool set_speed(double factor) {
+    if (!(factor > 0)) return false;
+    speed = factor;
+    return true;
+  }
+
   // More than n - 1 overruns in a row are a fault of the controller.
   clocked_pace& fault_after(std::int64_t n) {
     if (n < 1)

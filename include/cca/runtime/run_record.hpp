@@ -1,9 +1,13 @@
-// What a controller keeps of its runs at wall-clock speed, and what it does however a run ends.
+// What a controller keeps of its runs at wall-clock speed, how others pause a run and change its speed, and
+// what it does however a run ends.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <concepts>
 #include <cstdint>
 
+#include <cca/base/monotonic_clock.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/runtime/pace.hpp>
@@ -63,6 +67,76 @@ struct end_of_run {
   ~end_of_run() {
     if (now == state::running) now = after(transition::pause, now);
   }
+};
+
+// From any thread to the loop that gives the beat, which looks at one number between two beats: a pause,
+// single beats in a pause, another speed. Nobody waits for the other.
+class run_control {
+public:
+  // ---- any thread ----
+
+  void pause() noexcept { is_wanted.store(true, std::memory_order_release), note(); }
+  void go_on() noexcept { is_wanted.store(false, std::memory_order_release), note(); }
+  // In a pause: one beat more.
+  void step() noexcept { steps.fetch_add(1, std::memory_order_release), note(); }
+  // Times the clock.
+  void set_speed(double factor) noexcept {
+    speed.store(factor, std::memory_order_relaxed);
+    has_speed.store(true, std::memory_order_release), note();
+  }
+  // The loop has paused; a beat that was running has ended.
+  bool is_paused() const noexcept { return holds.load(std::memory_order_acquire); }
+  // As fast as possible there is no clock whose speed could be changed.
+  bool has_refused_speed() const noexcept { return refuses_speed.load(std::memory_order_acquire); }
+
+  // ---- the loop's, between two beats ----
+
+  bool has_news() const noexcept { return news.load(std::memory_order_acquire); }
+
+  // Does what is wanted, and returns when there is to be a beat. While it is paused, goes_on() is called once
+  // a period; false ends the pause and the run.
+  template <class Pace, class GoesOn>
+  bool obey(Pace& pace, std::int64_t period, GoesOn goes_on) {
+    news.store(false, std::memory_order_relaxed);
+    if (has_speed.exchange(false, std::memory_order_acquire)) {
+      if constexpr (requires { pace.set_speed(1.0); })
+        refuses_speed.store(!pace.set_speed(speed.load(std::memory_order_relaxed)),
+                            std::memory_order_release);
+      else refuses_speed.store(true, std::memory_order_release);
+    }
+    bool runs = true;
+    if constexpr (requires { pace.duration_of(period); }) period = pace.duration_of(period);
+    std::int64_t due = monotonic_clock::now();
+    while (runs && is_wanted.load(std::memory_order_acquire)) {
+      holds.store(true, std::memory_order_release);
+      if (int left = steps.load(std::memory_order_acquire); left > 0) {
+        steps.fetch_sub(1, std::memory_order_relaxed);
+        note();  // it pauses again after that beat
+        return true;
+      }
+      runs = goes_on();
+      due = std::max(due + std::max(period, shortest), monotonic_clock::now());
+      monotonic_clock::sleep_until(due);
+    }
+    steps.store(0, std::memory_order_relaxed);
+    holds.store(false, std::memory_order_release);
+    return runs;
+  }
+
+private:
+  static constexpr std::int64_t shortest = 100'000;  // ns
+
+  void note() noexcept { news.store(true, std::memory_order_release); }
+
+  std::atomic<bool> news{false}, is_wanted{false}, holds{false}, has_speed{false}, refuses_speed{false};
+  std::atomic<int> steps{0};
+  std::atomic<double> speed{1};
+};
+
+// A `between` that can pause the run: control(), and while_paused(controller), which returns false to end it.
+template <class Between, class Controller> concept Controls = requires(Between& between, Controller& c) {
+  { between.control() } -> std::same_as<run_control&>;
+  { between.while_paused(c) } -> std::same_as<bool>;
 };
 
 struct nothing_between {

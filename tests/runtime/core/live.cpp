@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <thread>
 
@@ -67,6 +68,86 @@ TEST_SUITE("live access") {
     });
     CHECK_EQ(c.get<"source">().p.slope, 2.0);
     CHECK_EQ(c.get<"other">().p.slope, 3.0);
+  }
+
+  TEST_CASE("a run pauses, makes single beats, and goes on without catching up") {
+    struct idling {
+      auto sense() -> cca::out<"y", pair> { return Eigen::Vector2d(0, 0); }
+      void on_idle() { ++idles; }
+      int idles = 0;
+    };
+    struct with_robot
+        : cca::graph<cca::rate<1000>, cca::node<"robot", idling>,
+                     cca::node<"source", source, cca::stoppable<cca::timed<1>>>, cca::observe<"source.y">> {};
+    auto c = started<cca::controller<with_robot>>();
+    cca::live_access live(c);
+    std::int64_t paused_at = 0, stepped_to = 0;
+    beside(c, live, cca::at_wall_clock(), [&] {
+      wait_until([&] { return live.beat_index() > 10; });
+      CHECK_FALSE(live.is_paused());
+      live.pause();
+      wait_until([&] { return live.is_paused(); });
+      std::this_thread::sleep_for(30ms);
+      paused_at = live.beat_index();
+      std::this_thread::sleep_for(60ms);
+      CHECK_EQ(live.beat_index(), paused_at);
+      CHECK_EQ(live.state(), cca::state::running);
+      live.step();
+      wait_until([&] { return live.beat_index() == paused_at + 1; });
+      live.step();
+      live.step();
+      wait_until([&] { return live.beat_index() == paused_at + 3; });
+      std::this_thread::sleep_for(30ms);
+      stepped_to = live.beat_index();
+      wait_until([&] { return live.stop("source"); });  // requests are taken in a pause
+      wait_until([&] { return live.is_taken(); });
+      live.go_on();
+      wait_until([&] { return live.beat_index() > stepped_to + 20; });
+      CHECK_FALSE(live.is_paused());
+    });
+    CHECK_EQ(stepped_to, paused_at + 3);
+    CHECK_EQ(c.get<"source">().value, static_cast<double>(stepped_to));
+    CHECK_GT(c.get<"robot">().idles, 30);
+    CHECK_LT(c.lost_periods(), 60);  // not those of the pause
+  }
+
+  TEST_CASE("the speed of a run changes") {
+    auto c = started<played>();
+    cca::live_access live(c);
+    beside(c, live, cca::at_speed(0.05), [&] {
+      wait_until([&] { return live.beat_index() > 1; });
+      live.set_speed(50);
+      wait_until([&] { return live.beat_index() > 5000; });  // 100 s before
+      CHECK_FALSE(live.has_refused_speed());
+      CHECK_EQ(refusal([&] { live.set_speed(0); }),
+               "cca::live_access: set_speed: 0.000000 is no speed, expected a number above 0");
+    });
+    cca::live_access other(c);
+    beside(c, other, cca::as_fast_as_possible(), [&] {
+      other.set_speed(2);
+      wait_until([&] { return other.has_refused_speed(); });
+    });
+  }
+
+  TEST_CASE("parameters are saved and loaded while it runs, also of one component") {
+    auto c = started<played>();
+    cca::live_access live(c);
+    const std::string file = "cca_live_saved.toml";
+    beside(c, live, cca::at_speed(5), [&] {
+      wait_until([&] { return live.set("source.slope", 2.0); });
+      wait_until([&] { return live.set("source.same", 2.0); });
+      wait_until([&] { return live.save(file, "source"); });
+      wait_until([&] { return live.set("source.slope", 3.0); });
+      wait_until([&] { return live.load(file, "source"); });
+      wait_until([&] { return live.is_taken(); });
+      CHECK_EQ(live.parameter("source.slope").value_or("busy"), "2.0");
+    });
+    CHECK_EQ(c.get<"source">().p.slope, 2.0);
+    std::ifstream saved(file);
+    const std::string text{std::istreambuf_iterator<char>(saved), {}};
+    CHECK(text.starts_with("[source]\nslope = 2.0"));
+    CHECK_EQ(text.find("[other]"), std::string::npos);
+    std::remove(file.c_str());
   }
 
   TEST_CASE("a window in another thread") {

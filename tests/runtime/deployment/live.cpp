@@ -65,6 +65,49 @@ void both_paces(auto test) {
 }  // namespace
 
 TEST_SUITE("live access to a deployment") {
+  TEST_CASE("all environments pause, make single beats, and go on") {
+    both_paces([](auto pace) {
+      started_one c;
+      played& d = c;
+      cca::live_access<played> live(d);
+      beside(d, live, pace, [&] {
+        wait_until([&] { return live.beat_index() > 20; });
+        live.pause();
+        wait_until([&] { return live.is_paused(); });
+        std::this_thread::sleep_for(30ms);  // the followers end their beats
+        const auto at = live.beat_index();
+        const double planned = newest_in(live, "planner.y"), thought = newest_in(live, "thinker.y");
+        std::this_thread::sleep_for(60ms);
+        CHECK_EQ(live.beat_index(), at);
+        CHECK_EQ(newest_in(live, "planner.y"), planned);
+        CHECK_EQ(newest_in(live, "thinker.y"), thought);
+        for (int i = 1; i <= 10; ++i) {
+          live.step();
+          wait_until([&] { return live.beat_index() == at + i; });
+        }
+        wait_until([&] { return newest_in(live, "thinker.y") == thought + 5; });
+        wait_until([&] { return newest_in(live, "planner.y") == planned + 2; });
+        CHECK_EQ(live.beat_index(), at + 10);
+        live.go_on();
+        wait_until([&] { return live.beat_index() > at + 100; });
+      });
+      CHECK(!d.fault());
+    });
+  }
+
+  TEST_CASE("the speed of all environments changes") {
+    started_one c;
+    played& d = c;
+    cca::live_access<played> live(d);
+    beside(d, live, cca::at_speed(0.05), [&] {
+      wait_until([&] { return live.beat_index() > 1; });
+      live.set_speed(20);
+      wait_until([&] { return live.beat_index() > 2000; });
+      wait_until([&] { return newest_in(live, "planner.y") > 300; });
+    });
+    CHECK(!d.fault());
+  }
+
   TEST_CASE("another thread sees whole samples of each environment, and the newest") {
     both_paces([](auto pace) {
       constexpr bool is_exact = std::is_same_v<decltype(pace), cca::as_fast_as_possible>;

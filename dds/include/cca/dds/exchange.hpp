@@ -175,7 +175,7 @@ private:
     to[status::beat] = from.beat;
     to[status::length] = from.length;
     to[status::flags] = (from.is_exact ? status::is_exact : 0) | (from.all_meet ? status::all_meet : 0) |
-                        (from.is_stopped ? status::is_stopped : 0);
+                        (from.is_stopped ? status::is_stopped : 0) | (from.is_paused ? status::is_paused : 0);
     to[status::overruns] = from.overruns;
     to[status::lost_periods] = from.lost_periods;
     for (std::size_t x = 0; x < environment_count; ++x) to.late[x] = from.late[x];
@@ -200,6 +200,7 @@ private:
       }
       to.fault.position.store(from[status::fault_position], std::memory_order_release);
     }
+    to.is_paused = (from[status::flags] & status::is_paused) != 0;
     to.is_stopped.store((from[status::flags] & status::is_stopped) != 0, std::memory_order_release);
     to.stop_at.store(from[status::stop_at], std::memory_order_release);
     to.interval = from[status::interval];

@@ -71,7 +71,7 @@ struct status {
     lost_periods,
     field_count
   };
-  static constexpr std::int64_t is_exact = 1, all_meet = 2, is_stopped = 4, is_leaving = 8;
+  static constexpr std::int64_t is_exact = 1, all_meet = 2, is_stopped = 4, is_leaving = 8, is_paused = 16;
   using reason_words = std::array<std::uint64_t, cca::detail::fault_record::most_letters / 8>;
 
   std::array<std::int64_t, field_count> fields{};

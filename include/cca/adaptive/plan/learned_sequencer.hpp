@@ -89,12 +89,13 @@ struct learned_sequencer {
                in<"criterion", criterion_port> criterion,
                optional_in<"error", criterion_error> error,
                optional_in<"learn", learning_request> call,
-               beat now) -> std::tuple<out<"step", step_port>,
-                                       out<"running", step_time>,
-                                       out<"timed_out", step_flag>,
-                                       out<"status", component_status_port>,
-                                       out<"module", module_status_port>,
-                                       fault> {
+               beat now) -> detail::with_parts<Plan,
+                                               out<"step", step_port>,
+                                               out<"running", step_time>,
+                                               out<"timed_out", step_flag>,
+                                               out<"status", component_status_port>,
+                                               out<"module", module_status_port>,
+                                               fault> {
     if (call) learning.hear(call, p.settings);
     const int running = steps.step();
     const std::int64_t age = steps.beats(now);
@@ -105,14 +106,16 @@ struct learned_sequencer {
       before = running;
     }
     const std::int64_t period = now.index() > 0 ? now.time() / now.index() : 0;
-    return {steps.step(),
-            1e-9 * static_cast<double>(steps.beats(now) * period),
-            steps.timed_out() ? 1 : 0,
-            status_of(steps.finished() ? component_status::reached : component_status::converging),
-            learning.status({std::max(before, 0), steps.step()}, p.settings, static_cast<bool>(call)),
-            steps.unheard()
-                ? fault("sequencer: a condition names a path that nobody publishes under its scope")
-                : fault()};
+    return detail::add_parts<Plan>(
+        steps.step(), out<"step", step_port>(steps.step()),
+        out<"running", step_time>(1e-9 * static_cast<double>(steps.beats(now) * period)),
+        out<"timed_out", step_flag>(steps.timed_out() ? 1 : 0),
+        out<"status", component_status_port>(
+            status_of(steps.finished() ? component_status::reached : component_status::converging)),
+        out<"module", module_status_port>(
+            learning.status({std::max(before, 0), steps.step()}, p.settings, static_cast<bool>(call))),
+        steps.unheard() ? fault("sequencer: a condition names a path that nobody publishes under its scope")
+                        : fault());
   }
 
   void on_load() {

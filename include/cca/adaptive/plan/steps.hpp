@@ -5,8 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include <cca/adaptive/plan/conditions.hpp>
+#include <cca/component/done.hpp>
 
 namespace cca {
 
@@ -18,6 +21,9 @@ template <fixed_string Name>
 struct then {};
 template <fixed_string... Names>
 struct then_one_of {};
+// The parts that a step needs (component/done.hpp): the others of those that the plan names are stopped.
+template <fixed_string... Parts>
+struct needs {};
 
 template <fixed_string Name, class... Options>
 struct step {};
@@ -62,10 +68,65 @@ struct step_option<then_one_of<Names...>> {
   static constexpr void set(step_info& one) { ((one.choices[one.choice_count++] = Names.view()), ...); }
 };
 
+template <fixed_string Part>
+struct named_part {
+  static constexpr std::string_view path = Part.view();
+  using start = starts<Part>;
+  using stop = stops<Part>;
+};
+template <fixed_string... Parts>
+struct step_option<needs<Parts...>> {
+  static_assert(sizeof...(Parts) >= 1, "cca::steps: a needs<...> names one part or more");
+  using condition = all<>;
+  using parts = std::tuple<named_part<Parts>...>;
+  static constexpr void set(step_info&) {}
+};
+template <class Option>
+struct parts_of_option {
+  using type = std::tuple<>;
+};
+template <class Option>
+  requires requires { typename step_option<Option>::parts; }
+struct parts_of_option<Option> {
+  using type = typename step_option<Option>::parts;
+};
+template <class... Tuples>
+using joined_parts = decltype(std::tuple_cat(std::declval<Tuples>()...));
+
+// Which part a step needs, and the results that start and stop parts, two for each.
+template <class Parts>
+struct asked_of_parts;
+template <class... Part>
+struct asked_of_parts<std::tuple<Part...>> {
+  static constexpr std::array<std::string_view, sizeof...(Part) + 1> paths{Part::path..., {}};
+  // The first of those with the same path.
+  static constexpr bool is_first(std::size_t part) {
+    for (std::size_t p = 0; p < part; ++p)
+      if (paths[p] == paths[part]) return false;
+    return true;
+  }
+  static constexpr bool has(std::string_view path) {
+    for (std::size_t p = 0; p < sizeof...(Part); ++p)
+      if (paths[p] == path) return true;
+    return false;
+  }
+  // Of each part once: f.template operator()<Part>() gives a tuple.
+  template <class F>
+  static constexpr auto join(F f) {
+    return [&]<std::size_t... P>(std::index_sequence<P...>) {
+      return std::tuple_cat([&] {
+        if constexpr (is_first(P)) return f.template operator()<Part>();
+        else return std::tuple<>();
+      }()...);
+    }(std::index_sequence_for<Part...>{});
+  }
+};
+
 template <class Step>
 struct step_facts;
 template <fixed_string Name, class... Options>
 struct step_facts<step<Name, Options...>> {
+  using parts = joined_parts<typename parts_of_option<Options>::type...>;
   using condition = all<typename step_option<Options>::condition...>;
   static constexpr step_info info = [] {
     step_info one{Name.view()};
@@ -133,6 +194,22 @@ struct steps {
       if (one.choice_count > 0) return true;
     return false;
   }();
+
+  // What a component asks for in a step: that the parts which it needs run, and the others rest. Empty if the
+  // plan names no part.
+  using parts = detail::asked_of_parts<detail::joined_parts<typename detail::step_facts<Steps>::parts...>>;
+  static constexpr auto asks(int step) {
+    return parts::join([step]<class Part>() {
+      bool is_needed = false;
+      int i = 0;
+      ((is_needed =
+            is_needed ||
+            (i == step && detail::asked_of_parts<typename detail::step_facts<Steps>::parts>::has(Part::path)),
+        ++i),
+       ...);
+      return std::tuple<typename Part::start, typename Part::stop>(is_needed, !is_needed);
+    });
+  }
 
   template <class Heard>
   static bool holds(int step, const Heard& heard) {

@@ -35,6 +35,7 @@
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
 #include <cca/runtime/environments/transport.hpp>
+#include <cca/runtime/environments/waiting/obeyed_control.hpp>
 
 namespace cca {
 
@@ -268,8 +269,9 @@ private:
       else first.follow(terms.end, after_beat);
     } else {
       runs.begin(pace, period());
-      if constexpr (detail::OnClock<Pace>) first.lead(terms.end, runs, pace, after_beat);
-      else first.lead_exactly(terms.end, runs, pace, after_beat);
+      const detail::obeyed_control<deployed, Pace, Between> obey{*this, runs, pace, between};
+      if constexpr (detail::OnClock<Pace>) first.lead(terms.end, runs, pace, after_beat, obey);
+      else first.lead_exactly(terms.end, runs, pace, after_beat, obey);
     }
   }
 

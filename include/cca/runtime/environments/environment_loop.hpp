@@ -14,6 +14,7 @@
 #include <cca/runtime/environments/free_running/cycles.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/parts/asked_of_loop.hpp>
 #include <cca/runtime/environments/samples/repeat_firings.hpp>
 #include <cca/runtime/environments/waiting/beats_of_first.hpp>
 #include <cca/runtime/environments/waiting/beats_of_others.hpp>
@@ -27,12 +28,14 @@ template <class D, int E>
 class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D>,
                                      beats_of_others<environment_loop<D, E>>,
                                      public cycles_of<environment_loop<D, E>, D, E>,
-                                     admission_of<environment_loop<D, E>, D, E> {
+                                     admission_of<environment_loop<D, E>, D, E>,
+                                     public asked_of_loop<environment_loop<D, E>, D, E> {
   using graph = part<D, E>;
   using first_beats = beats_of_first<environment_loop, D>;
   friend first_beats;
   friend cycles_of<environment_loop, D, E>;
   friend admission_of<environment_loop, D, E>;
+  friend asked_of_loop<environment_loop, D, E>;
   friend beats_of_others<environment_loop>;
   using first_beats::wait_for_beat;
   static constexpr std::int64_t period = counts_of<D>.period;
@@ -66,6 +69,7 @@ public:
     own().slowest.forget();
     own().fault.position = no_position;
     own().stop_at = no_position;
+    own().is_paused = false;
     announce();
     if (E == 0 && ahead == 0) state.move_to(position() - 1);  // when its pace lets it begin
     if (has_free_running<D> && !is_exact) tell([this](loop_tap& tap) { tap.runs_freely(k); });
@@ -78,15 +82,19 @@ public:
   // ---- as fast as possible ----
 
   // Where no environment may be ahead, `after_beat` sees all environments at rest.
-  template <class Pace, class AfterBeat>
-  void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
-    const std::int64_t first = k;
+  template <class Pace, class AfterBeat, class Obey>
+  void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat, Obey obey) {
+    std::int64_t first = k;
     while (k < end && this->wait_until_it_may_begin()) {
       runs.wait(pace, (k - first) * period);
       if (state.ahead == 0) announce();
       run_beat();
       if (state.ahead > 0) announce();
       else if (this->all_have_come() && !after_beat()) stop();
+      if (state.ahead == 0 && obey.has_news()) [[unlikely]] {
+        this->hold(obey);
+        first = k;
+      }
     }
   }
 
@@ -101,9 +109,11 @@ public:
 
   // ---- at wall-clock speed ----
 
-  template <class Pace, class AfterBeat>
-  void lead(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
-    const std::int64_t first = k;
+  // obey.has_news(): somebody wants a pause, or another speed. obey([&] { ... }): while it is paused, once a
+  // period; false: the run ends.
+  template <class Pace, class AfterBeat, class Obey>
+  void lead(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat, Obey obey) {
+    std::int64_t first = k;
     while (k < end && goes_on()) {  // a beat that a fault has cut is no overrun
       const cca::fault late = wait(runs, pace, (k - first) * period);
       own().overruns.store(runs.overruns, std::memory_order_relaxed);
@@ -119,6 +129,10 @@ public:
       announce();
       this->look_for_free(end);
       if (!after_beat()) stop();
+      if (obey.has_news()) [[unlikely]] {
+        this->hold(obey);
+        first = k;
+      }
     }
   }
 
@@ -178,18 +192,6 @@ public:
     tell_reached();
   }
 
-  // To a recorder, if this environment has the first node of a part.
-  void tell_part(int part, bool stops, bool requested, std::int64_t from) noexcept {
-    if (plan_of<D>.nodes[array_size(first_node_of_part<D>(part))].environment == E)
-      tell([&](loop_tap& tap) { tap.part_changed(part, stops, requested, from); });
-  }
-
-  // At the end of a run: what was asked for in the beats before `beat`, and no more.
-  void settle_parts(std::int64_t beat) {
-    take_part_requests(beat);
-    state.requests.forget(shared());
-  }
-
   // Once, in the beat of a fault: instead of what would still have come.
   void handle_fault() noexcept {
     if (shared().fault_position() == no_position || has_handled_fault) return;
@@ -247,7 +249,7 @@ private:
       track->begin(beat);
     this->begin_cycle(beat);
     state.receive(state, beat);
-    take_part_requests(beat);
+    this->take_part_requests(beat);
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
@@ -289,13 +291,6 @@ private:
       announce();
     }
     return k == end;
-  }
-
-  // Before beat `next`.
-  void take_part_requests(std::int64_t next) noexcept {
-    state.requests.take(shared(), state, next, [this](int number, bool stops, std::int64_t from) {
-      tell_part(number, stops, true, from);
-    });
   }
 
   // f(whom it tells of its beats), where somebody records.

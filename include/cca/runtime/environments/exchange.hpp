@@ -119,6 +119,7 @@ struct alignas(64) environment_record {
   std::atomic<std::int64_t> arrived{0}, ready{0}, finished{0};
   std::atomic<std::int64_t> beat{0}, length{0};
   std::atomic<bool> is_exact{true}, all_meet{false}, is_stopped{false};
+  std::atomic<bool> is_paused{false};  // of the first: it begins no beat for now
 
   // At wall-clock speed, since start().
   std::atomic<std::int64_t> overruns{0}, lost_periods{0};

@@ -8,6 +8,8 @@
 //   });
 //   c.run(cca::for_<10>{}, cca::at_wall_clock(), live);          // as `between`
 //
+// It also pauses the run, makes single beats, changes the speed and saves parameters.
+//
 // It is made from the controller of a graph or of a set of modes, or from a cca::deployed. There each
 // environment of this process shows its outputs and takes its part of a request between two of its own beats,
 // in its own thread, at any pace; what no beat has taken is taken when the run ends.
@@ -23,6 +25,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <string_view>
 
 #include <cca/runtime/controller.hpp>
@@ -36,7 +40,9 @@ template <class Controller, class Graph>
 class live_access_to : public live_outputs<Controller>, public live_requests<Controller, Graph> {
 public:
   explicit live_access_to(const Controller& c)
-      : live_outputs<Controller>(c), live_requests<Controller, Graph>(c) {
+      : live_outputs<Controller>(c),
+        live_requests<Controller, Graph>(c),
+        gives_beat(live_components::gives_beat(c)) {
     look(c);
   }
 
@@ -58,6 +64,27 @@ public:
   // The run ends after its beat; so does each later one.
   void end_run() noexcept { ends.store(true, std::memory_order_release); }
 
+  // The loop pauses after its beat: resource nodes idle once a period, so that a robot goes on getting
+  // frames, and requests are taken. `is_paused()` tells when it has. `step()` makes one beat in a pause,
+  // `go_on()` ends it; nothing is caught up. Of a deployment all environments pause; ask the process of the
+  // first one.
+  void pause() { controlled().pause(); }
+  void go_on() { controlled().go_on(); }
+  void step() { controlled().step(); }
+  bool is_paused() const noexcept { return commands.is_paused(); }
+  // Of a run on a clock, times the clock: 0.5 is half as fast. Refused: what is not above 0. A run as fast as
+  // possible has no speed: then has_refused_speed() is true when the loop has looked.
+  void set_speed(double factor) {
+    if (!(factor > 0) || factor > std::numeric_limits<double>::max())
+      throw refused("cca::live_access: set_speed: " + std::to_string(factor) +
+                    " is no speed, expected a number above 0");
+    controlled().set_speed(factor);
+  }
+  bool has_refused_speed() const noexcept { return commands.has_refused_speed(); }
+
+  // The loop's.
+  run_control& control() noexcept { return commands; }
+
 protected:
   template <int Loop>
   void look_after(Controller& c) {
@@ -76,6 +103,17 @@ protected:
   }
 
 private:
+  // Only the loop that gives the beat can pause.
+  run_control& controlled() {
+    if (!gives_beat)
+      throw refused(
+          "cca::live_access: another process runs the environment that gives the beat, so only that "
+          "one can pause the run or change its speed");
+    return commands;
+  }
+
+  run_control commands;
+  bool gives_beat = true;
   std::atomic<cca::state> now{};
   std::atomic<std::int64_t> k{0}, late{0};
   std::atomic<const char*> reason{nullptr};
@@ -101,6 +139,7 @@ public:
     this->template look_after<0>(c);
     return this->look(c);
   }
+  bool while_paused(controller<Graph>& c) { return (*this)(c); }
 };
 
 // Give it to `run` as it is: in a function of yours it would see one environment only, so it does not
@@ -116,6 +155,11 @@ public:
     this->template look_after<Environment>(d);
   }
   bool goes_on(deployed<D>& d) { return this->look(d); }
+  // The first environment's; the others take their share of a request after their next beat.
+  bool while_paused(deployed<D>& d) {
+    this->template look_after<0>(d);
+    return this->look(d);
+  }
 };
 
 template <class Controller>

@@ -39,6 +39,12 @@ struct live_components {
   static bool is_here(const Controller& c, int node) {
     return c.is_here(node);
   }
+  // Whether this process runs the loop that gives the beat.
+  template <class Controller>
+  static bool gives_beat(const Controller& c) {
+    if constexpr (requires { c.here[0]; }) return c.here[0];
+    else return true;
+  }
   template <class Controller>
   static void refuse(int node) {
     if constexpr (requires { Controller::refuse_elsewhere(node); }) Controller::refuse_elsewhere(node);

@@ -40,9 +40,18 @@ public:
                    [&] { config_backend<shadows>::set(known, path, value); });
   }
   // All parameters that a file names: of each loop in one beat.
-  bool load(std::string_view file) {
+  // With a path: of one component, or of those of an inner graph.
+  bool load(std::string_view file, std::string_view path = {}) {
     static_assert(HasConfig<shadows>, "cca::live_access: load(file) needs #include <cca/config.hpp>");
-    return request(asked::parameters, all_nodes, [&] { config_backend<shadows>::load(known, file); });
+    return request(asked::parameters, all_nodes, [&] { config_backend<shadows>::load(known, file, path); });
+  }
+  // Writes them as they are known here, in this thread.
+  bool save(std::string_view file, std::string_view path = {}) {
+    static_assert(HasConfig<shadows>, "cca::live_access: save(file) needs #include <cca/config.hpp>");
+    if (!mailbox.claim()) return false;
+    const given_back at_the_end{mailbox};
+    config_backend<shadows>::save(known, file, path);
+    return true;
   }
   // As they are known here. Empty: busy.
   std::optional<std::string> parameter(std::string_view path) {

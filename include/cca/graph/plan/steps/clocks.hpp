@@ -19,9 +19,16 @@ constexpr clock clock_in_part(const flat_view& g, const call& t) {
   if (!strategy.has_clock_from) return strategy.in_combination;
   if (!strategy.fires_on_arrival || strategy.part_count > 0) return dynamic_clock;
   return with_arrivals(g, t, [&](const arrivals& inputs) {
-    for (const auto& one : inputs)
-      if (one.queued || !(one.when == inputs.begin()->when)) return dynamic_clock;
-    return strategy.clock_from(inputs);
+    const clock found = strategy.clock_from(inputs);
+    if (found.every_beat()) return found;
+    clock slower{};
+    for (const auto& one : inputs) {
+      if (one.queued) return dynamic_clock;  // what waits is fresh after all
+      if (!one.when.known() || one.when.every_beat()) continue;
+      if (slower.known() && !(slower == one.when)) return dynamic_clock;
+      slower = one.when;
+    }
+    return found;
   });
 }
 

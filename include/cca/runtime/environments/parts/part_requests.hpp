@@ -9,9 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <type_traits>
 #include <utility>
 
 #include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/publish.hpp>
 
 namespace cca::detail {
 

@@ -2,7 +2,8 @@
 //
 // It sleeps until its next beat is due, and is woken when a run ends. If the first environment does not begin
 // that beat, resource nodes idle once a period and `between` is asked: a robot goes on getting frames, and a
-// signal ends the run. More such periods in a row than late beats are tolerated are lost contact.
+// signal ends the run. More such periods in a row than late beats are tolerated are lost contact, unless the
+// first environment has paused.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +48,8 @@ protected:
       loop().idle();
       if (!goes_on_after()) return loop().stop(), false;
       idles_at = std::max(idles_at, now - interval / 2) + interval;
-      if (Loop::has_hooks_of_resources && has_begun && ++missed > environments_of<D>::tolerated)
+      if (first.is_paused.load(std::memory_order_acquire)) missed = 0;
+      else if (Loop::has_hooks_of_resources && has_begun && ++missed > environments_of<D>::tolerated)
         loop().state_fault(loop().state.observers(), 0, lost_contact<D>(0), -1);
     }
   }
