@@ -29,6 +29,7 @@ struct velocities : cca::space<cca::joint_velocities, cca::axes<hip, knee>, cca:
 struct plain : cca::space<cca::number, cca::axes<odd_name>> {};
 struct placed : cca::space<cca::pose<base>, xyz> {};
 struct at_tip : cca::space<cca::pose<tip>, xyz> {};
+struct in_named : cca::space<cca::pose<cca::frame<"world">>, xyz> {};  // a name with `>>` in it
 struct moving : cca::space<cca::twist<tip, base>, xyz> {};
 struct both_legs : cca::array_of<leg_angles, 2> {};
 struct raw : cca::space<cca::record<3>, cca::axes<hip>> {};
@@ -57,5 +58,6 @@ static_assert(schema_of<placed>.hash() != schema_of<at_tip>.hash());
 static_assert(legs.hash() == 5231017890460239179ull);
 static_assert(schema_of<placed>.hash() == 12258844807943802775ull);
 static_assert(schema_of<moving>.hash() == 9993594578919412939ull);
+static_assert(schema_of<in_named>.hash() == 17456290755501120029ull);
 
 }  // namespace
