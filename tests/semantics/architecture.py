@@ -85,6 +85,7 @@ class Architecture:
     def __init__(self, seed, threads=False, is_spread=False):
         self.seed, self.threads = seed, threads
         self.environments = 2 + seed % 3 if is_spread else 1
+        self.free = None  # an environment that runs freely
         self.rng = random.Random(seed)
         self.features = {}
         self.base = self.rng.choice(BASE_RATES)
@@ -107,6 +108,8 @@ class Architecture:
         if self.environments > 1:
             self.here = self.rng.randrange(self.environments) if self.chance(40) else getattr(self, "here", 0)
             node.environment = self.here
+            if node.environment == self.free:  # its components are chosen
+                node.environment = (self.free + 1) % self.environments
 
     def over(self, writer, reader, policy):
         """The policy of a wire, which between two environments is delayed."""
@@ -270,6 +273,27 @@ class Architecture:
                 node.strategy = self.rng.choice(plain)
         self.wake()
         self.let_rest()
+        self.run_freely()
+
+    def run_freely(self):
+        """One environment may run freely: its components fire in every beat, and its wires may have no delay."""
+        rng = random.Random(f"{self.seed} runs freely")
+        used = sorted({node.environment for node in self.nodes})
+        if len(used) < 2 or rng.randrange(2):
+            return
+        self.free = rng.choice(used)
+        self.count("free-running environments")
+        for node in self.nodes:
+            if node.environment == self.free:
+                node.strategy, node.rests, node.root = ("full_speed",), None, None
+        order = {id(node): place for place, node in enumerate(self.components)}
+        for wire in self.wires:
+            a, b = wire.writer, wire.reader
+            senses, acts = wire.out in a.ports.get("sense", ([], []))[1], wire.into in b.ports.get("act", ([], []))[0]
+            in_order = (senses or id(a) in order) and (acts or id(b) in order) and (senses or acts or order[id(a)] < order[id(b)])
+            if a.environment != b.environment and self.free in (a.environment, b.environment) and wire.delayed() and in_order and rng.randrange(2):
+                wire.policy = ("latest",)
+                self.count("wires without delay to or from a free-running environment")
 
     def let_rest(self):
         """Some can be stopped. In one loop somebody stops them for a while, in environments nobody does."""

@@ -146,13 +146,16 @@ public:
                                            "skeleton: collector",
                                            "skeleton: share_out",
                                            "skeleton: gather"};
-  static constexpr const char* wanted_of_environments[] = {"environments",
-                                                           "wires between environments",
-                                                           "wires between environments, longer than a beat",
-                                                           "observers across environments",
-                                                           "queue, drop_oldest: lost",
-                                                           "faults in process",
-                                                           "on_fault calls"};
+  static constexpr const char* wanted_of_environments[] = {
+      "environments",
+      "wires between environments",
+      "wires between environments, longer than a beat",
+      "observers across environments",
+      "free-running environments",
+      "wires without delay to or from a free-running environment",
+      "queue, drop_oldest: lost",
+      "faults in process",
+      "on_fault calls"};
 
 private:
   void add(const strategy& s, const std::string& where) {

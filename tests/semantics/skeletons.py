@@ -42,6 +42,8 @@ class Skeletons:
 
     def stay_together(self, together):
         self.group_in = self.made.rng.randrange(self.made.environments) if together and self.made.environments > 1 else None
+        if self.group_in is not None and self.group_in == self.made.free:
+            self.group_in = (self.group_in + 1) % self.made.environments
 
     def give(self, node, name, space, kind="out", rate=None):
         port = self.Port(name, kind, space)
