@@ -74,15 +74,16 @@ struct result<> {
 
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::in<Name, Space>& x) {
-  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), true);
+  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), true, x.dropped());
 }
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::optional_in<Name, Space>& x) {
-  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), static_cast<bool>(x));
+  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), static_cast<bool>(x),
+            x.dropped());
 }
-// The text leaves open in which order an observer hears outputs, so they are sorted by path.
-template <cca::fixed_string Scope, class Policy>
-void note(firing& f, const cca::observe<Scope, Policy>& all) {
+// The text leaves open in which order an observer hears ports, so they are sorted by path.
+template <cca::fixed_string Pattern, class... Policies>
+void note(firing& f, const cca::observe<Pattern, Policies...>& all) {
   const auto before = static_cast<std::ptrdiff_t>(f.inputs.size());
   for (const auto& one : all)
     add_input(f, one.path, one.values.data(), static_cast<int>(one.values.size()), one.origin, one.fresh,
@@ -237,6 +238,27 @@ struct older {
   bool fires(cca::beat now, const Inputs& in) {
     const auto origin = in.template get<Port>().origin();
     return origin == cca::never || now.time() - origin > Nanoseconds;
+  }
+};
+
+// One with a state: with every N-th sample that arrives.
+template <cca::fixed_string Port, int N>
+struct every_nth {
+  int come = 0;
+  template <class Inputs>
+  bool fires(cca::beat, const Inputs& in) {
+    come += in.template arrivals<Port>();
+    if (come < N) return false;
+    come -= N;
+    return true;
+  }
+};
+
+template <cca::fixed_string Port, int N>
+struct while_waiting {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& in) {
+    return in.template waiting<Port>() >= N;
   }
 };
 
