@@ -155,8 +155,9 @@ struct no_option : cca::deployment<chain, cca::environment<"two", cca::other_nod
 static_assert(tells<no_option, mended>(
     {"deployment.bad_environment", "two",
      "environment `two` has the option `timed<2>`, but its options are cca::realtime<Priority, "
-     "cca::on_core<N>> and cca::realtime_if_allowed: write one of them, or none (all nodes go into one "
-     "cca::nodes<...>)"}));
+     "cca::on_core<N>>, cca::realtime_if_allowed and cca::free_running: write one of them, or none (all "
+     "nodes "
+     "go into one cca::nodes<...>)"}));
 template <class... Options>
 struct with_options : cca::deployment<chain, cca::environment<"two", cca::other_nodes, Options...>> {};
 static_assert(cca::well_formed<with_options<cca::realtime<80>>>);
@@ -166,7 +167,7 @@ static_assert(cca::diagnosis<with_options<cca::realtime<80, cca::on_core<1>, cca
 static_assert(cca::diagnosis<with_options<cca::realtime<80, int>>>.rule == "deployment.bad_environment");
 static_assert(tells<with_options<cca::realtime<80>, cca::realtime_if_allowed<80>>, mended>(
     {"deployment.bad_environment", "two",
-     "environment `two` has two options, but one says how its thread runs: leave one of them"}));
+     "environment `two` has two options of one kind, but one says how its thread runs: leave one of them"}));
 struct unnamed : cca::deployment<chain, some<"", "a">, rest<"two">> {};
 static_assert(
     tells<unnamed, mended>({"deployment.bad_environment", "unnamed",
