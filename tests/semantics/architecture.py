@@ -97,6 +97,7 @@ class Architecture:
         self.make_rates()
         self.make_policies()
         self.make_habits()
+        self.make_buffers()
         self.groups = Skeletons(self, Node, Port, Wire).groups
         self.nest()
 
@@ -449,6 +450,87 @@ class Architecture:
                 node.fault_first = self.chance(30)
             elif self.chance(3):
                 node.fault_function = self.rng.choice(node.functions)  # it may, but never does
+
+    # ---- queues that are delayed, several wires at one input, strategies that look at queues ----
+
+    def make_buffers(self):
+        """Its own dice: the rest of an architecture does not depend on it."""
+        rng = random.Random(f"{self.seed} buffers")
+        for wire in list(self.wires):
+            kind = wire.policy[0]
+            if kind == "delayed" and rng.randrange(100) < 35:
+                wire.policy += ("queue", rng.choice([1, 2, 3, 5, 8, 20]), self.when_full(rng, wire))
+            elif kind == "queue" and rng.randrange(100) < 25:
+                wire.policy = ("delayed", rng.choice([1, 2, 3, 6])) + wire.policy
+            if "queue" in wire.policy and rng.randrange(100) < 40:
+                self.merge(rng, wire)
+        for node in self.nodes:
+            self.look_at_queues(rng, node)
+
+    def when_full(self, rng, *wires):
+        """`reject` only where no clock proves that the queue overflows."""
+        known = any(wire.out.kind != "maybe" and wire.writer.strategy[0] != "user" for wire in wires)
+        return rng.choice(["drop_oldest", "drop_oldest", "drop_newest", "drop_newest"] + ([] if known else ["reject"]))
+
+    def merge(self, rng, wire):
+        """Further writers at the end of a wire that has a queue."""
+        reader, into = wire.reader, wire.into
+        at = wire.policy.index("queue")
+        others = []
+        for _ in range(rng.choice([1, 1, 2, 3])):
+            fitting = [(node, port) for node in self.nodes if not node.skeleton and not node.hears for _, port in node.outputs()
+                       if port.space == wire.out.space and not (port.rate and into.rate and port.rate != into.rate)]
+            if not fitting:
+                break
+            writer, out = rng.choice(fitting)
+            delay = () if self.may_be_undelayed(writer, out, reader, into) and rng.randrange(100) < 60 else ("delayed", rng.choice([1, 1, 2, 3, 6]))
+            if all((one.out, one.policy[:one.policy.index("merged")]) != (out, delay) for one in others) and (out, delay) != (wire.out, wire.policy[:at]):
+                others.append(Wire(writer, out, reader, into, delay + ("merged",)))
+        full = self.when_full(rng, wire, *others)
+        queue = ("merged", wire.policy[at + 1], full)
+        wire.policy = wire.policy[:at] + queue
+        for one in others:
+            one.policy = one.policy[:-1] + queue
+            if wire.initial and rng.randrange(100) < 30:
+                one.initial = wire.initial
+            self.wires.insert(rng.randrange(len(self.wires) + 1), one)
+        if rng.randrange(2) and others:  # whichever wire states it
+            others[0].initial, wire.initial = wire.initial, others[0].initial
+
+    def may_be_undelayed(self, writer, out, reader, into):
+        """A wire without delay leads forwards in a beat."""
+        if writer.environment != reader.environment:
+            return False
+        from_sense = any(port is out for port in writer.ports["sense"][1])
+        if any(port is into for port in reader.ports["process"][0]):
+            if from_sense:
+                return True
+            place = {id(node): i for i, node in enumerate(self.components)}
+            return any(port is out for port in writer.ports["process"][1]) and place.get(id(writer), 99) < place.get(id(reader), -1)
+        return any(port is into for port in reader.ports["act"][0]) and not any(port is out for port in writer.ports["act"][1])
+
+    def look_at_queues(self, rng, node):
+        """Some strategies ask how many samples wait, or count those that arrive."""
+        names = sorted({wire.into.name for wire in self.wires_to(node)})
+        merged = sorted({wire.into.name for wire in self.wires_to(node) if "merged" in wire.policy})
+        inner = node.strategy[1] if node.strategy[0] == "stoppable" else node.strategy
+        if node.resource or node.root or node.skeleton or not names or inner[0] not in ("user", "any_of", "restless", "moderate", "default") or rng.randrange(100) >= (75 if merged else 40):
+            return
+        if any(port.rate for _, port in node.outputs()) or any("reject" in wire.policy for wire in self.wires_to(node)):
+            return
+        name = rng.choice(merged or names)
+        own = ("user", "every_nth", name, rng.choice([1, 2, 3, 4]), 0) if rng.randrange(3) else ("user", "while_waiting", name, rng.choice([1, 2, 3]), 0)
+        if inner[0] != "user" and rng.randrange(100) < 60:
+            beside = self.timed_by(rng) if inner[0] == "default" or rng.randrange(2) else inner
+            own = (rng.choice(["any_of", "any_of", "all_of"]), rng.choice([(own, beside), (beside, own), (beside, own)]))
+        node.strategy = ("stoppable", own) if node.strategy[0] == "stoppable" else own
+        for wire in self.wires_to(node):
+            if wire.policy == ("latest",):
+                wire.stated = True  # the clock that it was left out for is no longer known, or was not
+
+    def timed_by(self, rng):
+        n = rng.choice([2, 3, 5])
+        return ("timed", n, rng.randrange(n))
 
     # ---- nesting ----
 

@@ -90,6 +90,8 @@ public:
                                            "user: above",
                                            "user: older",
                                            "user: fresh_on_odd",
+                                           "user: every_nth",
+                                           "user: while_waiting",
                                            "latest",
                                            "delayed<1>",
                                            "delayed<N>",
@@ -99,6 +101,15 @@ public:
                                            "queue, drop_newest",
                                            "queue, drop_newest: lost",
                                            "queue, reject",
+                                           "queue, delayed",
+                                           "merged, drop_oldest",
+                                           "merged, drop_oldest: lost",
+                                           "merged, drop_newest",
+                                           "merged, drop_newest: lost",
+                                           "merged: samples of two or more wires",
+                                           "merged, some of them delayed",
+                                           "merged, all of them delayed",
+                                           "merged, some of them close a loop",
                                            "faults of a full queue",
                                            "queue, read empty after a sample",
                                            "initial",
@@ -154,6 +165,10 @@ public:
       "free-running environments",
       "wires without delay to or from a free-running environment",
       "queue, drop_oldest: lost",
+      "queue, delayed",
+      "merged: samples of two or more wires",
+      "queues between environments",
+      "merged wires between environments",
       "faults in process",
       "on_fault calls"};
 
@@ -165,7 +180,7 @@ private:
   }
 
   void add(const input& in, const call& t, const interpreter& i) {
-    if (!in.wired) {
+    if (!in.wired()) {
       counts["optional_in, not wired"] += in.reads > 0;
       return;
     }
@@ -173,15 +188,34 @@ private:
     if (in.fresh_reads == 0) return;
     counts["initial"] += std::any_of(in.initial.begin(), in.initial.end(), [](double x) { return x != 0; });
     counts["samples kept for a later beat"] += in.reads > in.fresh_reads;
-    if (in.is == policy::latest) ++counts["latest"];
-    if (in.is == policy::delayed) ++counts[in.delay == 1 ? "delayed<1>" : "delayed<N>"];
-    counts["delayed, its own writer"] += in.is == policy::delayed && i.g.calls[in.writer].node == t.node;
+    const bool is_delayed = in.ways[0].delay > 0;
+    if (in.is == policy::latest)
+      ++counts[is_delayed ? in.ways[0].delay == 1 ? "delayed<1>" : "delayed<N>" : "latest"];
+    counts["delayed, its own writer"] += is_delayed && i.g.calls[in.ways[0].writer].node == t.node;
     if (in.is != policy::queue) return;
-    constexpr const char* names[] = {"queue, drop_oldest", "queue, drop_newest", "queue, reject"};
-    const std::string name = names[static_cast<int>(in.full)];
+    if (!in.is_merged) counts["queue, delayed"] += is_delayed;
+    if (in.is_merged) add_merged(in, t, i);
+    constexpr const char* full[] = {"drop_oldest", "drop_newest", "reject"};
+    const std::string name =
+        std::string(in.is_merged ? "merged, " : "queue, ") + full[static_cast<int>(in.full)];
     ++counts[name];
     counts[name + ": lost"] += in.full != when_full::reject && in.dropped > 0;
     counts["queue, read empty after a sample"] += in.taken && in.reads > in.fresh_reads;
+  }
+
+  // Samples of several of its ways have been read.
+  void add_merged(const input& in, const call& t, const interpreter& i) {
+    int delayed = 0, closing = 0;
+    for (const way& w : in.ways) {
+      delayed += w.delay > 0;
+      closing += w.delay > 0 && i.feeds(t.node, i.g.calls[w.writer].node);
+    }
+    const int ways = static_cast<int>(in.ways.size());
+    const bool is_whole = in.ways_taken == (1 << ways) - 1;
+    counts["merged: samples of two or more wires"] += ways > 1 && is_whole;
+    counts["merged, some of them delayed"] += delayed > 0 && delayed < ways && is_whole;
+    counts["merged, all of them delayed"] += ways > 1 && delayed == ways && is_whole;
+    counts["merged, some of them close a loop"] += closing > 0 && closing < ways && is_whole;
   }
 
   std::map<std::string, long> counts;

@@ -46,7 +46,11 @@ inline strategy read_strategy(std::istream& from) {
   if (s.is == strategy::port_triggered) names();
   if (s.is == strategy::any_of || s.is == strategy::all_of) parts();
   if (s.is == strategy::stoppable) s.parts.push_back(read_strategy(from));
-  if (s.is == strategy::user) s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
+  if (s.is == strategy::user) {
+    static int count = 0;
+    s.number = ++count;
+    s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
+  }
   return s;
 }
 
@@ -141,21 +145,24 @@ private:
     from >> writer >> reader >> word;
     const auto [t, i] = find(reader, &call::inputs);
     input& in = g.calls[t].inputs[i];
-    if (in.wired) throw std::runtime_error("description: two writers of '" + reader + "'");
-    in.wired = true;
-    std::tie(in.writer, in.port) = find(writer, &call::outputs);
-    if (word == "delayed") {
-      in.is = policy::delayed;
-      from >> in.delay;
-    } else if (word == "queue") {
-      in.is = policy::queue;
-      from >> in.capacity >> word;
-      in.full = word == "reject"        ? when_full::reject
-                : word == "drop_newest" ? when_full::drop_newest
-                                        : when_full::drop_oldest;
+    if (in.wired() && !in.is_merged) throw std::runtime_error("description: two writers of '" + reader + "'");
+    way& w = in.ways.emplace_back();
+    std::tie(w.writer, w.port) = find(writer, &call::outputs);
+    for (bool has_word = true; has_word; has_word = static_cast<bool>(from >> word)) {
+      if (word == "delayed") {
+        from >> w.delay;
+      } else if (word == "queue" || word == "merged") {
+        in.is = policy::queue;
+        in.is_merged = word == "merged";
+        from >> in.capacity >> word;
+        in.full = word == "reject"        ? when_full::reject
+                  : word == "drop_newest" ? when_full::drop_newest
+                                          : when_full::drop_oldest;
+      } else if (word == "initial") {
+        for (double& coordinate : in.initial) from >> coordinate;
+      }
     }
-    if (!(from >> word)) return from.clear();
-    for (double& coordinate : in.initial) from >> coordinate;
+    from.clear();
   }
 };
 

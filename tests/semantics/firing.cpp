@@ -63,6 +63,7 @@ std::uint64_t digest(const firing& f) {
     add(static_cast<std::uint64_t>(s.origin));
     add(s.fresh);
     add(s.wired);
+    add(static_cast<std::uint64_t>(s.dropped));
   }
   for (const recorded_output& t : f.outputs) {
     add_all(t.value);
@@ -76,9 +77,12 @@ std::uint64_t digest(const firing& f) {
 }
 
 log merged(log all) {
+  // A graph that is used twice has components of one id in two threads: all that they record decides.
+  std::vector<std::uint64_t> digests;
+  for (const firing& f : all) digests.push_back(digest(f));
   const auto key = [&](std::size_t i) {
     const firing& f = all[i];
-    return std::tuple(f.which == function::on_fault, f.beat, f.which, f.id, i);
+    return std::tuple(f.which == function::on_fault, f.beat, f.which, f.id, digests[i]);
   };
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -94,8 +98,10 @@ void add_input(firing& f,
                int size,
                std::int64_t origin,
                bool fresh,
-               bool wired) {
-  f.inputs.push_back({std::string(name), std::vector<double>(values, values + size), origin, fresh, wired});
+               bool wired,
+               std::int64_t dropped) {
+  f.inputs.push_back(
+      {std::string(name), std::vector<double>(values, values + size), origin, fresh, wired, dropped});
 }
 
 void add_output(firing& f, int size, bool is_maybe) {
@@ -150,7 +156,7 @@ bool same(const firing& a, const firing& b) {
   for (std::size_t i = 0; i < a.inputs.size(); ++i) {
     const auto &x = a.inputs[i], &y = b.inputs[i];
     if (x.name != y.name || !same(x.value, y.value) || x.origin != y.origin || x.fresh != y.fresh ||
-        x.wired != y.wired)
+        x.wired != y.wired || x.dropped != y.dropped)
       return false;
   }
   for (std::size_t i = 0; i < a.outputs.size(); ++i) {
@@ -174,6 +180,7 @@ std::ostream& operator<<(std::ostream& to, const firing& f) {
     if (input.origin == never) to << "never";
     else to << input.origin;
     to << (input.fresh ? ", fresh" : "") << (input.wired ? "" : ", not wired");
+    if (input.dropped > 0) to << ", " << input.dropped << " lost";
   }
   for (const auto& output : f.outputs) {
     to << "\n    tells (";

@@ -19,6 +19,7 @@ struct recorded_input {
   std::vector<double> value;
   std::int64_t origin = never;
   bool fresh = false, wired = false;
+  std::int64_t dropped = 0;
 };
 
 struct recorded_output {
@@ -50,7 +51,8 @@ void add_input(firing& f,
                int size,
                std::int64_t origin,
                bool fresh,
-               bool wired);
+               bool wired,
+               std::int64_t dropped = 0);
 void add_output(firing& f, int size, bool is_maybe);
 void copy_value(const recorded_output& from, double* to);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +23,8 @@ public:
   std::int64_t k = 0;
   bool faulted = false;
   log firings;
+  std::int64_t published = 0;        // how many samples, so far
+  std::map<int, std::int64_t> kept;  // of the user's strategies with a state, by their numbers
 
   // ---- time ----
 
@@ -35,6 +38,8 @@ public:
       if (g.nodes[n].stop_in == k) g.nodes[n].is_stopped = true;
       if (g.nodes[n].start_in == k) start(static_cast<int>(n));
     }
+    begin();
+    if (faulted) return on_fault();
     for (const function which : {function::sense, function::process, function::act}) {
       std::vector<bool> was_called(g.calls.size(), false);
       for (int next = next_call(which, was_called); next >= 0; next = next_call(which, was_called)) {
@@ -47,9 +52,31 @@ public:
     ++k;
   }
 
-  // Nothing that has arrived is fresh.
+  // Delayed samples enter their queues, in the order in which they were published.
+  virtual void begin() {
+    for (call& t : g.calls)
+      for (input& in : t.inputs) {
+        if (in.is != policy::queue) continue;
+        std::vector<publication> arrived;
+        for (std::size_t w = 0; w < in.ways.size(); ++w)
+          for (const publication& p : history(in.ways[w]))
+            if (in.ways[w].delay > 0 && arrival(in.ways[w], p) == k) {
+              arrived.push_back(p);
+              arrived.back().way = static_cast<int>(w);
+            }
+        std::sort(arrived.begin(), arrived.end(),
+                  [this](const publication& a, const publication& b) { return comes_before(a, b); });
+        for (const publication& p : arrived) enter(in, p);
+      }
+  }
+  virtual bool comes_before(const publication& a, const publication& b) const {
+    return std::pair(a.number, a.way) < std::pair(b.number, b.way);
+  }
+
+  // Nothing that has arrived is fresh, and its strategy begins anew.
   virtual void start(int started) {
     g.nodes[started].is_stopped = false;
+    forget(g.nodes[started].when);
     for (call& t : g.calls)
       if (t.node == started) {
         t.last_fired = k - 1;
@@ -57,17 +84,24 @@ public:
       }
   }
 
+  void forget(const strategy& s) {
+    kept.erase(s.number);
+    for (const strategy& part : s.parts) forget(part);
+  }
+
+  // Its predecessors, over wires without delay, have all been called.
+  bool is_ready(const call& t, const std::vector<bool>& was_called) const {
+    for (const input& in : t.inputs)
+      for (const way& w : in.ways)
+        if (w.delay == 0 && g.calls[w.writer].which == t.which && !was_called[w.writer]) return false;
+    return true;
+  }
+
   // The first declared whose predecessors, over wires without delay, have all been called.
   virtual int next_call(function which, const std::vector<bool>& was_called) const {
     for (std::size_t i = 0; i < g.calls.size(); ++i) {
       if (g.calls[i].which != which || was_called[i]) continue;
-      bool ready = true;
-      for (const input& in : g.calls[i].inputs) {
-        if (!in.wired || in.is == policy::delayed) continue;
-        const auto writer = in.writer;
-        if (g.calls[writer].which == which && !was_called[writer]) ready = false;
-      }
-      if (ready) return static_cast<int>(i);
+      if (is_ready(g.calls[i], was_called)) return static_cast<int>(i);
     }
     return -1;
   }
@@ -86,8 +120,8 @@ public:
       take(in);
       ++in.reads;
       in.fresh_reads += seen_inputs.back().fresh;
-      f.inputs.push_back(
-          {in.name, seen_inputs.back().value, seen_inputs.back().origin, seen_inputs.back().fresh, in.wired});
+      f.inputs.push_back({in.name, seen_inputs.back().value, seen_inputs.back().origin,
+                          seen_inputs.back().fresh, in.wired(), in.dropped});
     }
     for (const output& out : t.outputs) f.outputs.push_back({std::vector<double>(out.width), out.is_maybe});
 
@@ -101,7 +135,8 @@ public:
     ++t.firings;
     if (f.fault) faulted = true;
     for (std::size_t i = 0; i < t.outputs.size() && !faulted; ++i)
-      if (f.outputs[i].published) publish(t, i, {k, f.outputs[i].value, stamp(f.outputs[i], from)});
+      if (f.outputs[i].published)
+        publish(t, i, {k, f.outputs[i].value, stamp(f.outputs[i], from), published++});
   }
 
   virtual void does(node& n, firing& f) { n.does(f); }
@@ -118,27 +153,38 @@ public:
     writer.outputs[port].history.push_back(p);
     for (call& t : g.calls)
       for (input& in : t.inputs)
-        if (in.wired && in.is == policy::queue && &g.calls[in.writer] == &writer &&
-            in.port == static_cast<int>(port))
-          push(in, p);
+        for (std::size_t w = 0; w < in.ways.size(); ++w)
+          if (in.is == policy::queue && &g.calls[in.ways[w].writer] == &writer &&
+              in.ways[w].port == static_cast<int>(port) && enters_at_once(in.ways[w])) {
+            publication one = p;
+            one.way = static_cast<int>(w);
+            enter(in, one);
+          }
+  }
+  virtual bool enters_at_once(const way& w) const { return w.delay == 0; }
+
+  // Into a queue, in this beat.
+  virtual void enter(input& in, const publication& p) {
+    if (in.arrived_in != k) in.arrivals = 0;
+    in.arrived_in = k;
+    ++in.arrivals;
+    push(in, p);
   }
 
   // ---- what an input sees ----
 
-  const std::vector<publication>& history(const input& in) const {
-    return g.calls[in.writer].outputs[in.port].history;
+  const std::vector<publication>& history(const way& w) const {
+    return g.calls[w.writer].outputs[w.port].history;
   }
 
   // A sample published in beat j arrives in beat j, or, delayed<N>, when beat j + N begins.
-  virtual std::int64_t arrival(const input& in, const publication& p) const {
-    return in.is == policy::delayed ? p.beat + in.delay : p.beat;
-  }
+  virtual std::int64_t arrival(const way& w, const publication& p) const { return p.beat + w.delay; }
 
   // The newest that has arrived; none: nothing has come yet.
   virtual const publication* newest(const input& in) const {
     const publication* found = nullptr;
-    for (const publication& p : history(in))
-      if (arrival(in, p) <= k) found = &p;
+    for (const publication& p : history(in.ways[0]))
+      if (arrival(in.ways[0], p) <= k) found = &p;
     return found;
   }
 
@@ -159,6 +205,7 @@ public:
 
   virtual void take(input& in) const {
     if (in.is != policy::queue || in.waiting.empty()) return;
+    in.ways_taken |= 1 << in.waiting.front().way;
     in.taken = in.waiting.front();
     in.waiting.pop_front();
   }
@@ -166,9 +213,9 @@ public:
   virtual seen_input look(const call& t, const input& in) const {
     seen_input s;
     s.value = in.initial;
-    if (!in.wired) return s;
+    if (!in.wired()) return s;
     const publication* p = in.is == policy::queue ? head(in) : newest(in);
-    if (p) s = {p->value, p->origin, true, false};
+    if (p) s = {p->value, p->origin, true, false, in.is == policy::queue ? p->way : 0};
     s.fresh = fresh(t, in);
     return s;
   }
@@ -176,11 +223,24 @@ public:
   // ---- fresh ----
 
   virtual bool fresh(const call& t, const input& in) const {
-    if (!in.wired) return false;
+    if (!in.wired()) return false;
     if (in.is == policy::queue) return !in.waiting.empty();
-    for (const publication& p : history(in))
-      if (arrival(in, p) <= k && arrival(in, p) > t.last_fired) return true;
+    for (const publication& p : history(in.ways[0]))
+      if (arrival(in.ways[0], p) <= k && arrival(in.ways[0], p) > t.last_fired) return true;
     return false;
+  }
+
+  // How many samples wait in its queue; without one: 1 if it is fresh.
+  virtual int waiting(const call& t, const input& in) const {
+    return in.is == policy::queue ? static_cast<int>(in.waiting.size()) : fresh(t, in);
+  }
+  // How many samples have arrived in this beat.
+  virtual int arrivals(const input& in) const {
+    if (in.is == policy::queue) return in.arrived_in == k ? in.arrivals : 0;
+    int count = 0;
+    for (const way& w : in.ways)
+      for (const publication& p : history(w)) count += arrival(w, p) == k;
+    return count;
   }
 
   // ---- when a component fires ----
@@ -193,7 +253,7 @@ public:
     return d;
   }
 
-  virtual bool fires(const strategy& s, const call& t) const {
+  virtual bool fires(const strategy& s, const call& t) {
     switch (s.is) {
       case strategy::by_default:
         return false;  // see `when`
@@ -205,7 +265,7 @@ public:
         return false;
       case strategy::moderate:
         for (const input& in : t.inputs)
-          if (in.wired && !fresh(t, in)) return false;
+          if (in.wired() && !fresh(t, in)) return false;
         return true;
       case strategy::timeout:
         return k - std::max<std::int64_t>(t.last_fired, 0) >= s.n;
@@ -219,14 +279,16 @@ public:
         return true;
       case strategy::inactive:
         return false;
-      case strategy::any_of:
-        for (const strategy& part : s.parts)
-          if (fires(part, t)) return true;
-        return false;
-      case strategy::all_of:
-        for (const strategy& part : s.parts)
-          if (!fires(part, t)) return false;
-        return true;
+      case strategy::any_of: {  // all parts are asked: some have a state
+        bool any = false;
+        for (const strategy& part : s.parts) any = fires(part, t) || any;
+        return any;
+      }
+      case strategy::all_of: {
+        bool all = true;
+        for (const strategy& part : s.parts) all = fires(part, t) && all;
+        return all;
+      }
       case strategy::stoppable:
         return !g.nodes[t.node].is_stopped && fires(s.parts[0], t);
       case strategy::user:
@@ -240,7 +302,7 @@ public:
   virtual bool coordinated(const call& t) const {
     std::optional<std::int64_t> shared;
     for (const input& in : t.inputs) {
-      if (!in.wired) continue;
+      if (!in.wired()) continue;
       const seen_input s = look(t, in);
       if (!s.arrived) return false;
       if (shared && *shared != s.origin) return false;
@@ -253,7 +315,8 @@ public:
   virtual std::int64_t oldest(const call& t, const std::vector<seen_input>& seen_inputs) const {
     std::optional<std::int64_t> found;
     for (std::size_t i = 0; i < seen_inputs.size(); ++i)
-      if (t.inputs[i].wired) found = found ? std::min(*found, seen_inputs[i].origin) : seen_inputs[i].origin;
+      if (t.inputs[i].wired())
+        found = found ? std::min(*found, seen_inputs[i].origin) : seen_inputs[i].origin;
     return found.value_or(never);
   }
 
@@ -262,9 +325,17 @@ public:
   }
 
   // The strategies of the user's own in probe.hpp: they look at the beat, and at freshness, origin and value
-  // of an input.
-  bool user_fires(const strategy& s, const call& t) const {
+  // of an input, or at how many samples wait there or arrive. One keeps a state.
+  virtual bool user_fires(const strategy& s, const call& t) {
     const std::string& kind = s.names[0];
+    if (kind == "every_nth") {
+      std::int64_t& come = kept[s.number];
+      come += arrivals(named(t, s.names[1]));
+      if (come < s.n) return false;
+      come -= s.n;
+      return true;
+    }
+    if (kind == "while_waiting") return waiting(t, named(t, s.names[1])) >= s.n;
     if (kind == "on_beats") return k % s.n == s.phase || k % 7 == 0;
     if (kind == "patient") return dt(t) * 1e6 > static_cast<double>(s.n);
     const seen_input x = look(t, named(t, s.names[1]));
@@ -290,8 +361,9 @@ public:
   }
 
   virtual bool counts(const call& t, const input& in, const seen_input& s) const {
-    if (!in.wired || !s.arrived) return false;
-    return in.is != policy::delayed || !feeds(t.node, g.calls[in.writer].node);
+    if (!in.wired() || !s.arrived) return false;
+    const way& by = in.ways[s.way];
+    return by.delay == 0 || !feeds(t.node, g.calls[by.writer].node);
   }
 
   // Over any wires; a node feeds itself only if a wire leads back to it. A resource node is one node.
@@ -300,12 +372,12 @@ public:
     for (bool grown = true; grown;) {
       grown = false;
       for (const call& t : g.calls)
-        for (const input& in : t.inputs) {
-          if (!in.wired || reached[t.node]) continue;
-          const int writer = g.calls[in.writer].node;
-          if (writer != from && !reached[writer]) continue;
-          reached[t.node] = grown = true;
-        }
+        for (const input& in : t.inputs)
+          for (const way& w : in.ways) {
+            const int writer = g.calls[w.writer].node;
+            if (reached[t.node] || (writer != from && !reached[writer])) continue;
+            reached[t.node] = grown = true;
+          }
     }
     return reached[to];
   }

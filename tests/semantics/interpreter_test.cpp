@@ -96,6 +96,74 @@ TEST_SUITE("interpreter") {
     CHECK(i.k ==
           3);  // 0 and 1 wait, 0 is taken in beat 1, 2 waits, 3 comes before the reader is called: full
   }
+  TEST_CASE("queue, delayed: it enters when it arrives") {
+    CHECK(
+        values(made(source + "component r timed 1 0\n" + sink + "delayed 2 queue 8 drop_oldest initial 7", 5),
+               1) == numbers{7, 7, 0, 1, 2});
+    // Arrivals: 0 in beat 2, 1 in 3, ...; read in beats 2, 5, 8.
+    const std::string late = "component r timed 3 2\n";
+    CHECK(values(made(source + late + sink + "delayed 2 queue 2 drop_oldest", 9), 1) == numbers{0, 2, 5});
+    CHECK(values(made(source + late + sink + "delayed 2 queue 2 drop_newest", 9), 1) == numbers{0, 1, 2});
+    const interpreter i = made(source + "component r timed 9 8\n" + sink + "delayed 3 queue 2 reject", 9);
+    CHECK(i.faulted);
+    CHECK(i.k == 5);                             // 0 arrives in beat 3, 1 in 4
+    CHECK(fired(i, 0) == beats{0, 1, 2, 3, 4});  // nothing fires in beat 5
+    CHECK(fired(made(source + "component r restless\n" + sink + "delayed 2 queue 4 drop_oldest", 5), 1) ==
+          beats{2, 3, 4});
+  }
+  TEST_CASE("merged: by arrival, of one beat by publication") {
+    const std::string two = slow + "component q timed 3 1\nprocess\nin x 1\nout y 1\ncomponent r ";
+    const std::string ports = "\nprocess\nin x 1\nwire s.y q.x latest initial 0\n";
+    const auto from = [](const std::string& writer, const std::string& policy) {
+      return "wire " + writer + ".y r.x " + policy + "\n";
+    };
+    // s publishes its beat in 1, 4, 7; q passes it on in the same beat.
+    CHECK(fired(made(two + "restless" + ports + from("q", "merged 8 drop_oldest") +
+                         from("s", "merged 8 drop_oldest"),
+                     9),
+                2) == beats{1, 2, 4, 5, 7, 8});
+    CHECK(values(made(two + "restless" + ports + from("q", "merged 8 drop_oldest") +
+                          from("s", "delayed 3 merged 8 drop_oldest"),
+                      9),
+                 2) == numbers{1, 1, 4, 4, 7});
+    CHECK(values(made(two + "timed 3 1" + ports + from("q", "merged 1 drop_newest") +
+                          from("s", "merged 1 drop_newest"),
+                      9),
+                 2) == numbers{1, 4, 7});
+    CHECK(made(two + "timed 3 1" + ports + from("q", "merged 1 reject") + from("s", "merged 1 reject"), 9)
+              .faulted);
+  }
+  TEST_CASE("merged: a sample that closes a loop does not count for the origin, the others do") {
+    const std::string text =
+        slow +
+        "component m timed 1 0\nprocess\nin x 1\nout y 1\n"
+        "component r timed 1 0\nprocess\nin x 1\n"
+        "wire s.y m.x merged 4 drop_oldest\nwire m.y m.x delayed 2 merged 4 drop_oldest\n"
+        "wire m.y r.x latest\n";
+    // m reads: nothing; s's of beat 1; its own of 0, 1, 2; s's of beat 4, which came after that; its own
+    // of 3.
+    CHECK(origins(made(text, 7), 2) == beats{0, 10, 20, 30, 40, 40, 60});
+  }
+  TEST_CASE("every_nth, while_waiting") {
+    CHECK(fired(made(source + "component r user every_nth x 3 0\n" + sink + "latest", 10), 1) ==
+          beats{2, 5, 8});
+    CHECK(
+        fired(made(slow + "component r user every_nth x 2 0\n" + sink + "delayed 2 queue 4 drop_oldest", 14),
+              1) == beats{6, 12});
+    CHECK(fired(made(slow + "component r any_of 2 timed 5 0 user every_nth x 2 0\n" + sink + "latest", 12),
+                1) == beats{0, 4, 5, 10});
+    CHECK(fired(made(slow + "component r user while_waiting x 2 0\n" + sink + "queue 4 drop_oldest", 12),
+                1) == beats{4, 7, 10});
+  }
+  TEST_CASE("what several threads record comes in one order") {
+    firing a, b;
+    a.inputs.push_back({"x", {1.0}});
+    b.inputs.push_back({"x", {2.0}});
+    const semantics::log one = merged({a, b}), other = merged({b, a});
+    CHECK(same(one[0], other[0]));
+    CHECK(same(one[1], other[1]));
+    CHECK_FALSE(same(one[0], one[1]));
+  }
   TEST_CASE("coordinated") {
     // s -> a -> r.x and s -> r.z, but a fires every second beat only.
     const std::string text =

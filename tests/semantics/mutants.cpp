@@ -22,13 +22,7 @@ struct last_declared_first : base {
   int next_call(function which, const std::vector<bool>& had) const override {
     for (std::size_t i = g.calls.size(); i-- > 0;) {
       if (g.calls[i].which != which || had[i]) continue;
-      bool ready = true;
-      for (const input& in : g.calls[i].inputs) {
-        if (!in.wired || in.is == policy::delayed) continue;
-        const auto writer = in.writer;
-        if (g.calls[writer].which == which && !had[writer]) ready = false;
-      }
-      if (ready) return static_cast<int>(i);
+      if (is_ready(g.calls[i], had)) return static_cast<int>(i);
     }
     return -1;
   }
@@ -59,7 +53,7 @@ struct dt_is_always_one_beat : base {
 
 struct fires_although_stopped : base {
   using base::base;
-  bool fires(const strategy& s, const call& t) const override {
+  bool fires(const strategy& s, const call& t) override {
     return base::fires(s.is == strategy::stoppable ? s.parts[0] : s, t);
   }
 };
@@ -88,29 +82,29 @@ struct dt_counts_the_rest : base {
 
 struct delayed_one_too_long : base {
   using base::base;
-  std::int64_t arrival(const input& in, const publication& p) const override {
-    return base::arrival(in, p) + (in.is == policy::delayed);
+  std::int64_t arrival(const way& w, const publication& p) const override {
+    return base::arrival(w, p) + (w.delay > 0);
   }
 };
 
 struct delayed_one_too_short : base {
   using base::base;
-  std::int64_t arrival(const input& in, const publication& p) const override {
-    return base::arrival(in, p) - (in.is == policy::delayed && in.delay > 1);
+  std::int64_t arrival(const way& w, const publication& p) const override {
+    return base::arrival(w, p) - (w.delay > 1);
   }
 };
 
 struct latest_is_of_the_beat_before : base {
   using base::base;
-  std::int64_t arrival(const input& in, const publication& p) const override {
-    return base::arrival(in, p) + (in.is == policy::latest);
+  std::int64_t arrival(const way& w, const publication& p) const override {
+    return base::arrival(w, p) + (w.delay == 0);
   }
 };
 
 struct oldest_instead_of_newest : base {
   using base::base;
   const publication* newest(const input& in) const override {
-    return base::newest(in) && !history(in).empty() ? &history(in).front() : nullptr;
+    return base::newest(in) ? &history(in.ways[0]).front() : nullptr;
   }
 };
 
@@ -161,6 +155,113 @@ struct queue_takes_all : base {
   }
 };
 
+// ---- delayed and merged ----
+
+// Right away, as if the wire had no delay.
+struct delayed_enters_when_published : base {
+  using base::base;
+  bool enters_at_once(const way&) const override { return true; }
+  void begin() override {}
+};
+
+struct delayed_enters_one_late : base {
+  using base::base;
+  std::int64_t arrival(const way& w, const publication& p) const override {
+    return base::arrival(w, p) + (w.delay > 0 && is_into_queue(w));
+  }
+  bool is_into_queue(const way& w) const {
+    for (const call& t : g.calls)
+      for (const input& in : t.inputs)
+        if (!in.ways.empty() && &in.ways.front() <= &w && &w <= &in.ways.back())
+          return in.is == policy::queue;
+    return false;
+  }
+};
+
+// After what is published in the beat.
+struct delayed_enters_after_the_others : base {
+  using base::base;
+  void enter(input& in, const publication& p) override {
+    const bool is_delayed = in.ways[static_cast<std::size_t>(p.way)].delay > 0;
+    std::deque<publication> later;
+    while (!is_delayed && !in.waiting.empty() && is_late(in, in.waiting.back())) {
+      later.push_front(in.waiting.back());
+      in.waiting.pop_back();
+    }
+    base::enter(in, p);
+    in.waiting.insert(in.waiting.end(), later.begin(), later.end());
+  }
+  // It has arrived in this beat over a delayed wire.
+  bool is_late(const input& in, const publication& p) const {
+    const way& by = in.ways[static_cast<std::size_t>(p.way)];
+    return by.delay > 0 && arrival(by, p) == k;
+  }
+};
+
+struct merged_by_delay : base {
+  using base::base;
+  bool comes_before(const publication& a, const publication& b) const override {
+    return std::pair(-a.number, a.way) < std::pair(-b.number, b.way);
+  }
+};
+
+struct merged_hears_the_first_wire_only : base {
+  using base::base;
+  void enter(input& in, const publication& p) override {
+    if (p.way == 0) base::enter(in, p);
+  }
+};
+
+// The way of a sample counts, not the input: here that of the first wire.
+struct merged_counts_as_its_first_wire : base {
+  using base::base;
+  bool counts(const call& t, const input& in, const seen_input& s) const override {
+    seen_input first = s;
+    first.way = 0;
+    return base::counts(t, in, first);
+  }
+};
+
+// ---- strategies that see more ----
+
+struct nothing_waits : base {
+  using base::base;
+  int waiting(const call& t, const input& in) const override { return fresh(t, in); }
+};
+
+struct arrivals_are_freshness : base {
+  using base::base;
+  int arrivals(const input& in) const override { return base::arrivals(in) > 0; }
+};
+
+struct no_state : base {
+  using base::base;
+  bool user_fires(const strategy& s, const call& t) override {
+    kept.clear();
+    return base::user_fires(s, t);
+  }
+};
+
+// Only while the others leave it open.
+struct not_always_asked : base {
+  using base::base;
+  bool fires(const strategy& s, const call& t) override {
+    if (s.is != strategy::any_of) return base::fires(s, t);
+    for (const strategy& part : s.parts)
+      if (fires(part, t)) return true;
+    return false;
+  }
+};
+
+struct state_outlives_the_stop : base {
+  using base::base;
+  void start(int node) override {
+    const auto before = kept;
+    base::start(node);
+    kept = before;
+  }
+};
+
 // ---- fresh ----
 
 struct fresh_also_in_the_beat_of_the_last_firing : base {
@@ -175,7 +276,7 @@ struct fresh_also_in_the_beat_of_the_last_firing : base {
 struct fresh_when_published : base {
   using base::base;
   bool fresh(const call& t, const input& in) const override {
-    if (!in.wired || in.is != policy::delayed) return base::fresh(t, in);
+    if (in.is != policy::latest || !in.delayed()) return base::fresh(t, in);
     return base::newest(in) && base::newest(in)->beat > t.last_fired;
   }
 };
@@ -183,7 +284,7 @@ struct fresh_when_published : base {
 struct initial_is_fresh : base {
   using base::base;
   bool fresh(const call& t, const input& in) const override {
-    return base::fresh(t, in) || (in.wired && t.last_fired == never);
+    return base::fresh(t, in) || (in.wired() && t.last_fired == never);
   }
 };
 
@@ -199,7 +300,7 @@ struct queue_fresh_after_taking : base {
 template <strategy::kind From, strategy::kind To>
 struct mixed_up : base {
   using base::base;
-  bool fires(const strategy& s, const call& t) const override {
+  bool fires(const strategy& s, const call& t) override {
     strategy other = s;
     if (s.is == From) other.is = To;
     return base::fires(other, t);
@@ -208,7 +309,7 @@ struct mixed_up : base {
 
 struct no_phase : base {
   using base::base;
-  bool fires(const strategy& s, const call& t) const override {
+  bool fires(const strategy& s, const call& t) override {
     strategy other = s;
     other.phase = s.is == strategy::user ? s.phase : 0;
     return base::fires(other, t);
@@ -227,24 +328,24 @@ struct default_is_moderate : base {
 
 struct moderate_waits_for_the_unwired : base {
   using base::base;
-  bool fires(const strategy& s, const call& t) const override {
+  bool fires(const strategy& s, const call& t) override {
     if (s.is == strategy::moderate)
       for (const input& in : t.inputs)
-        if (!in.wired) return false;
+        if (!in.wired()) return false;
     return base::fires(s, t);
   }
 };
 
 struct timeout_has_run_out_at_the_start : base {
   using base::base;
-  bool fires(const strategy& s, const call& t) const override {
+  bool fires(const strategy& s, const call& t) override {
     return (s.is == strategy::timeout && t.last_fired == never) || base::fires(s, t);
   }
 };
 
 struct any_port_triggers : base {
   using base::base;
-  bool fires(const strategy& s, const call& t) const override {
+  bool fires(const strategy& s, const call& t) override {
     strategy other = s;
     if (s.is == strategy::port_triggered) other.is = strategy::restless;
     return base::fires(other, t);
@@ -256,7 +357,7 @@ struct coordinated_takes_initial_values : base {
   bool coordinated(const call& t) const override {
     std::optional<std::int64_t> shared;
     for (const input& in : t.inputs) {
-      if (!in.wired) continue;
+      if (!in.wired()) continue;
       const seen_input s = look(t, in);
       if (!s.arrived) continue;
       if (shared && *shared != s.origin) return false;
@@ -280,7 +381,7 @@ struct coordinated_is_later_than_the_newest_seen : base {
   std::int64_t oldest(const call& t, const std::vector<seen_input>& seen_inputs) const override {
     std::int64_t found = never;
     for (std::size_t i = 0; i < seen_inputs.size(); ++i)
-      if (t.inputs[i].wired) found = std::max(found, seen_inputs[i].origin);
+      if (t.inputs[i].wired()) found = std::max(found, seen_inputs[i].origin);
     return found;
   }
 };
@@ -289,7 +390,7 @@ struct coordinated_looks_at_the_first_only : base {
   using base::base;
   bool coordinated(const call& t) const override {
     for (const input& in : t.inputs)
-      if (in.wired) return look(t, in).arrived && look(t, in).origin > t.oldest_seen;
+      if (in.wired()) return look(t, in).arrived && look(t, in).origin > t.oldest_seen;
     return false;
   }
 };
@@ -326,14 +427,14 @@ struct set_origin_is_lost : base {
 struct loops_count : base {
   using base::base;
   bool counts(const call&, const input& in, const seen_input& s) const override {
-    return in.wired && s.arrived;
+    return in.wired() && s.arrived;
   }
 };
 
 struct nothing_delayed_counts : base {
   using base::base;
   bool counts(const call&, const input& in, const seen_input& s) const override {
-    return in.wired && s.arrived && in.is != policy::delayed;
+    return in.wired() && s.arrived && in.ways[s.way].delay == 0;
   }
 };
 
@@ -342,7 +443,8 @@ struct only_direct_loops : base {
   bool feeds(int from, int to) const override {
     for (const call& t : g.calls)
       for (const input& in : t.inputs)
-        if (t.node == to && in.wired && g.calls[in.writer].node == from) return true;
+        for (const way& w : in.ways)
+          if (t.node == to && g.calls[w.writer].node == from) return true;
     return false;
   }
 };
@@ -353,7 +455,7 @@ struct only_loops_without_delay : base {
     interpreter other(g);
     for (call& t : other.g.calls)
       for (input& in : t.inputs)
-        if (in.is == policy::delayed && t.node != from) in.wired = false;
+        if (t.node != from) std::erase_if(in.ways, [](const way& w) { return w.delay > 0; });
     return other.interpreter::feeds(from, to);
   }
 };
@@ -454,6 +556,22 @@ const std::vector<mutant> all_mutants{
     {"a queue is a stack", mutants::made<mutants::last_in_first_out>},
     {"an empty queue shows the initial value again", mutants::made<mutants::empty_queue_forgets>},
     {"a queue is emptied at each firing", mutants::made<mutants::queue_takes_all>},
+    {"a queue takes delayed samples when they are published",
+     mutants::made<mutants::delayed_enters_when_published>},
+    {"a queue takes delayed samples a beat late", mutants::made<mutants::delayed_enters_one_late>},
+    {"merged: delayed samples come after those of the beat",
+     mutants::made<mutants::delayed_enters_after_the_others>},
+    {"merged: the newest delayed sample comes first", mutants::made<mutants::merged_by_delay>},
+    {"merged: only the first wire is heard", mutants::made<mutants::merged_hears_the_first_wire_only>},
+    {"merged: all samples count for the origin as those of the first wire",
+     mutants::made<mutants::merged_counts_as_its_first_wire>},
+    {"one sample at most is said to wait", mutants::made<mutants::nothing_waits>},
+    {"one sample at most is said to arrive", mutants::made<mutants::arrivals_are_freshness>},
+    {"a strategy forgets its state", mutants::made<mutants::no_state>},
+    {"any_of does not ask a strategy with a state when another one fires",
+     mutants::made<mutants::not_always_asked>},
+    {"a strategy keeps its state although its component was stopped",
+     mutants::made<mutants::state_outlives_the_stop>},
     {"fresh also in the beat of the last firing",
      mutants::made<mutants::fresh_also_in_the_beat_of_the_last_firing>},
     {"delayed: fresh counts from publication", mutants::made<mutants::fresh_when_published>},

@@ -74,11 +74,12 @@ struct result<> {
 
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::in<Name, Space>& x) {
-  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), true);
+  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), true, x.dropped());
 }
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::optional_in<Name, Space>& x) {
-  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), static_cast<bool>(x));
+  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), static_cast<bool>(x),
+            x.dropped());
 }
 // The text leaves open in which order an observer hears ports, so they are sorted by path.
 template <cca::fixed_string Pattern, class... Policies>
@@ -237,6 +238,27 @@ struct older {
   bool fires(cca::beat now, const Inputs& in) {
     const auto origin = in.template get<Port>().origin();
     return origin == cca::never || now.time() - origin > Nanoseconds;
+  }
+};
+
+// One with a state: with every N-th sample that arrives.
+template <cca::fixed_string Port, int N>
+struct every_nth {
+  int come = 0;
+  template <class Inputs>
+  bool fires(cca::beat, const Inputs& in) {
+    come += in.template arrivals<Port>();
+    if (come < N) return false;
+    come -= N;
+    return true;
+  }
+};
+
+template <cca::fixed_string Port, int N>
+struct while_waiting {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& in) {
+    return in.template waiting<Port>() >= N;
   }
 };
 

@@ -34,6 +34,7 @@ struct strategy {
   std::int64_t n = 1, phase = 0;
   std::vector<std::string> names;  // port_triggered; user: its name and its port
   std::vector<strategy> parts;     // any_of, all_of, stoppable
+  int number = 0;                  // user: of all in the description; it finds what is kept of it
 };
 
 // In the order of the enumerators; the words of a description, too.
@@ -46,6 +47,8 @@ struct publication {
   std::int64_t beat = 0;
   std::vector<double> value;
   std::int64_t origin = never;
+  std::int64_t number = 0;  // in the order of all publications
+  int way = 0;              // in a queue: by which way it came
 };
 
 struct output {
@@ -55,24 +58,35 @@ struct output {
   std::vector<publication> history;
 };
 
-enum class policy { latest, delayed, queue };
+enum class policy { latest, queue };
 enum class when_full { drop_oldest, drop_newest, reject };
+
+// A wire to an input: from which output of which call, and how many beats it takes; 0: it is not delayed.
+struct way {
+  int writer = -1, port = -1;
+  std::int64_t delay = 0;
+};
 
 struct input {
   std::string name;
   int width = 1;
   bool optional = false;
-  bool wired = false;
-  int writer = -1, port = -1;  // call and output at the other end
+  std::vector<way> ways;  // more than one: they are merged
   policy is = policy::latest;
-  std::int64_t delay = 0;
+  bool is_merged = false;
   std::size_t capacity = 0;
   when_full full = when_full::drop_oldest;
   std::vector<double> initial;
 
   std::deque<publication> waiting;  // queue
   std::optional<publication> taken;
-  int dropped = 0, reads = 0, fresh_reads = 0;  // for the count of what was exercised
+  std::int64_t arrived_in = never;  // queue: the beat in which the newest samples arrived, and how many
+  int arrivals = 0;
+  // For the count of what was exercised.
+  int dropped = 0, reads = 0, fresh_reads = 0, ways_taken = 0;
+
+  bool wired() const { return !ways.empty(); }
+  bool delayed() const { return ways.size() == 1 && ways[0].delay > 0; }
 };
 
 // One call in a beat: of a component, or of one function of a resource node.
@@ -114,6 +128,7 @@ struct seen_input {
   std::int64_t origin = never;  // of an initial value: never
   bool arrived = false;         // a sample, no initial value
   bool fresh = false;
+  int way = 0;
 };
 
 }  // namespace semantics

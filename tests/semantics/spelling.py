@@ -85,7 +85,9 @@ def text(made):
 
 def crossings(made):
     across = [wire for wire in made.wires if wire.writer.environment != wire.reader.environment]
-    return {"environments": len({node.environment for node in made.nodes}),
+    return {"queues between environments": sum("queue" in wire.policy for wire in across),
+            "merged wires between environments": sum("merged" in wire.policy for wire in across),
+            "environments": len({node.environment for node in made.nodes}),
             "wires between environments": len(across),
             "wires between environments, longer than a beat": sum(wire.delayed() and wire.policy[1] > 1 for wire in across)}
 
@@ -107,7 +109,8 @@ def strategy_cpp(strategy):
         return f"cca::timeout<{rest[0]}>"
     if kind == "user":
         name, port, n, m = rest
-        arguments = {"on_beats": f"{n}, {m}", "patient": f"{n}", "above": f'"{port}", {n}', "older": f'"{port}", {n}', "fresh_on_odd": f'"{port}"'}
+        arguments = {"on_beats": f"{n}, {m}", "patient": f"{n}", "above": f'"{port}", {n}', "older": f'"{port}", {n}', "fresh_on_odd": f'"{port}"',
+                     "every_nth": f'"{port}", {n}', "while_waiting": f'"{port}", {n}'}
         return f"{name}<{arguments[name]}>"
     return f"cca::{kind}"
 
@@ -143,11 +146,14 @@ def graph_cpp(graph, rng):
         nodes.append(f'cca::node<"{name}", {kind}{strategy}>')
     for a, b, wire in graph.wires:
         options = []
-        if wire.policy[0] == "delayed":
-            options.append(f"cca::delayed<{wire.policy[1]}>")
-        elif wire.policy[0] == "queue":
-            options.append(f"cca::queue<{wire.policy[1]}, cca::{wire.policy[2]}>")
-        elif wire.stated:
+        rest = wire.policy
+        if rest[0] == "delayed":
+            options.append(f"cca::delayed<{rest[1]}>")
+            rest = rest[2:]
+        if rest and rest[0] in ("queue", "merged"):
+            options.append(f"cca::{rest[0]}<{rest[1]}, cca::{rest[2]}>")
+            rng.shuffle(options)
+        elif wire.policy == ("latest",) and wire.stated:
             options.append("cca::latest")
         if wire.initial:
             same = len(set(wire.initial)) == 1
