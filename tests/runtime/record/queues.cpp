@@ -1,5 +1,5 @@
-// Merged wires, delayed queues, strategies with a state and what full queues lose: recorded and replayed, bit for
-// bit, in one loop and in a deployment.
+// Merged wires, delayed queues, strategies with a state and what full queues lose: recorded and replayed, bit
+// for bit, in one loop and in a deployment.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -44,16 +44,17 @@ struct every_nth {
 };
 
 template <int Room, class Reader = cca::timed<2, 1>>
-struct buffers : cca::graph<cca::rate<1000>,
-                            cca::node<"sensor", sensor>,
-                            cca::node<"slow", sum, cca::timed<3>>,
-                            cca::node<"counts", sum, every_nth<"x", 5>>,
-                            cca::node<"last", sum, Reader>,
-                            cca::wire<"sensor.y", "slow.x", cca::merged<3>, cca::delayed<2>>,
-                            cca::wire<"sensor.z", "slow.x", cca::merged<3>, cca::delayed<1>>,
-                            cca::wire<"sensor.y", "counts.x", cca::queue<4>, cca::delayed<1>>,
-                            cca::wire<"slow.y", "last.x", cca::merged<Room, cca::reject>, cca::delayed<4>>,
-                            cca::wire<"counts.y", "last.x", cca::merged<Room, cca::reject>, cca::delayed<1>>> {};
+struct buffers
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"sensor", sensor>,
+                 cca::node<"slow", sum, cca::timed<3>>,
+                 cca::node<"counts", sum, every_nth<"x", 5>>,
+                 cca::node<"last", sum, Reader>,
+                 cca::wire<"sensor.y", "slow.x", cca::merged<3>, cca::delayed<2>>,
+                 cca::wire<"sensor.z", "slow.x", cca::merged<3>, cca::delayed<1>>,
+                 cca::wire<"sensor.y", "counts.x", cca::queue<4>, cca::delayed<1>>,
+                 cca::wire<"slow.y", "last.x", cca::merged<Room, cca::reject>, cca::delayed<4>>,
+                 cca::wire<"counts.y", "last.x", cca::merged<Room, cca::reject>, cca::delayed<1>>> {};
 
 struct in_one_loop : buffers<50>, cca::recordable {};
 struct that_overflows : buffers<3, cca::timed<3, 1>>, cca::recordable {};
@@ -101,5 +102,6 @@ TEST_CASE("queues: a replay of one loop and of a deployment gives the same sampl
 
 TEST_CASE("queues: a replay ends in the beat in which a sample arrived at a full queue") {
   check<cca::controller<that_overflows>, that_overflows>("`last`: a sample arrived while the queue was full");
-  check<cca::deployed<apart<that_overflows>>, apart<that_overflows>>("`last`: a sample arrived while the queue was full");
+  check<cca::deployed<apart<that_overflows>>, apart<that_overflows>>(
+      "`last`: a sample arrived while the queue was full");
 }
