@@ -43,7 +43,7 @@ public:
     // A hook may refuse, where a file is damaged: then the state stays as it was.
     visit([]<class C>([[maybe_unused]] int node, C& component) {
       if constexpr (OnWired<C>)
-        each_wired_input<Graph>(node, [&](std::string_view input) { component.on_wired(input); });
+        wired_inputs<Graph>::each(node, [&](std::string_view input) { component.on_wired(input); });
       if constexpr (OnLoad<C>) component.on_load();
     });
     move(transition::load, "load()");

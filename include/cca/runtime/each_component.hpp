@@ -59,17 +59,21 @@ void visit_components(F f, State& state) {
   }(std::make_integer_sequence<int, counts_of<Graph>.node_count>{});
 }
 
-// f(name) for each input of a component that an output writes.
-template <class Graph, class F>
-void each_wired_input(int node, F f) {
-  const auto& plan = plan_of<Graph>;
-  const auto& of = plan.nodes[array_size(node)];
-  for (int c = of.first_call; c < of.first_call + of.call_count; ++c) {
-    const auto& one = plan.calls[array_size(c)];
-    for (int p = 0; p < one.function->input_count; ++p)
-      if (plan.inputs[array_size(one.first_input + p)].writer >= 0) f(one.function->inputs[p].name);
+// Calls f(name) for each input of a component that an output writes. A set of modes has its own
+// (runtime/modes/mode_controller.hpp).
+template <class Graph>
+struct wired_inputs {
+  template <class F>
+  static void each(int node, F f) {
+    const auto& plan = plan_of<Graph>;
+    const auto& of = plan.nodes[array_size(node)];
+    for (int c = of.first_call; c < of.first_call + of.call_count; ++c) {
+      const auto& one = plan.calls[array_size(c)];
+      for (int p = 0; p < one.function->input_count; ++p)
+        if (plan.inputs[array_size(one.first_input + p)].writer >= 0) f(one.function->inputs[p].name);
+    }
   }
-}
+};
 
 // f(what is kept of the last firing) for each call of a component whose clock is known only at run time.
 template <class Graph, class State, class F>

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include <cca/adaptive/learning/timed_requests.hpp>
+#include <cca/deployment.hpp>
+#include <cca/modes.hpp>
 #include <cca/motor/dmp_rhythmic_module.hpp>
 #include <cca/motor/modules/gmr_module.hpp>
 
@@ -76,6 +78,40 @@ struct asked : cca::graph<cca::rate<1000>,
                           cca::wire<"teacher.angles", "movement.demonstration">,
                           cca::wire<"caller.learn", "movement.learn">,
                           cca::observe<"movement.module">> {};
+
+// The same movement: in one mode nobody asks for it, in the other the lesson does; and in an environment of
+// its own.
+template <class... More>
+struct classroom : cca::graph<cca::rate<1000>,
+                              cca::node<"teacher", teacher>,
+                              cca::node<"movement", cca::gmr_module<lesson_time, leg, 8>, cca::timed<1>>,
+                              cca::wire<"teacher.time", "movement.input", cca::delayed<1>>,
+                              cca::wire<"teacher.centre", "movement.reference", cca::delayed<1>>,
+                              cca::wire<"teacher.angles", "movement.demonstration", cca::delayed<1>>,
+                              More...> {};
+struct quiet : classroom<> {};
+struct with_lesson
+    : classroom<cca::node<"lesson", lesson>, cca::wire<"lesson.learn", "movement.learn", cca::delayed<1>>> {};
+struct in_modes : cca::modes<cca::mode<"quiet", quiet>, cca::mode<"lesson", with_lesson>> {};
+struct apart : cca::deployment<with_lesson,
+                               cca::environment<"body", cca::other_nodes>,
+                               cca::environment<"mind", cca::nodes<"movement">>> {};
+
+template <class Played>
+void check_that_it_learns(Played& c) {
+  auto& movement = c.template get<"movement">();
+  movement.p.settings.iterations = 20;
+  c.load();
+  c.start();
+  if constexpr (requires { c.template switch_to<"lesson">(); }) c.template switch_to<"lesson">();
+  c.run(cca::for_beats<2003>{});
+  CHECK(movement.learning.last_answer() == cca::learning_answer::accepted);
+  for (int k = 0; k < 20000 && movement.learning.state() == cca::learning::batch; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    c.step();
+  }
+  CHECK(movement.learning.state() == cca::learning::trained);
+}
 
 struct rhythmic_case {
   using module = cca::dmp_rhythmic_module<leg, stride, 10>;
@@ -156,4 +192,11 @@ TEST_CASE(
   CHECK(ask(cca::status_of(cca::learning_call::rest), 1) == cca::learning_answer::accepted);
   CHECK(ask(cca::status_of(forget), 1) == cca::learning_answer::accepted);
   CHECK(c.get<"movement">().learning.example_count() == 0);
+}
+
+TEST_CASE("where the request comes from another mode or another environment, the batch is computed too") {
+  cca::controller<in_modes> modes;
+  check_that_it_learns(modes);
+  cca::deployed<apart> environments;
+  check_that_it_learns(environments);
 }

@@ -136,6 +136,7 @@ struct module_of<Motion, Rule, Capacity, module_inputs<In...>, module_outputs<Ou
     for (std::size_t i = 0; i < movement.size(); ++i)
       if (!all_finite(movement[i]))
         throw refused(refusal + "sample " + std::to_string(i) + " of the movement is NaN or infinite");
+    learning.begin_demonstration();
     for (const auto& one : Motion::examples(movement, seconds, p)) teach(one.x, one.y);
   }
 

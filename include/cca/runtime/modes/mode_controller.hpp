@@ -26,6 +26,28 @@
 #include <cca/runtime/modes/mode_switch.hpp>
 
 namespace cca {
+namespace detail {
+
+// In one mode or more.
+template <Modes M>
+struct wired_inputs<M> {
+  template <class F>
+  static void each(int node, F f) {
+    [&]<int... I>(std::integer_sequence<int, I...>) {
+      (each_in<I>(node, f), ...);
+    }(std::make_integer_sequence<int, mode_count<M>>{});
+  }
+
+private:
+  template <int I, class F>
+  static void each_in(int node, F& f) {
+    using part = mode_part<M, I>;
+    for (int n = 0; n < counts_of<part>.node_count; ++n)
+      if (shared_nodes<M, I>[array_size(n)] == node) wired_inputs<part>::each(n, f);
+  }
+};
+
+}  // namespace detail
 
 template <class M>
   requires Modes<M> && detail::WellFormed<M>
