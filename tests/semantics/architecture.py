@@ -6,6 +6,7 @@ wires between them are delayed.
 """
 import random
 
+from scopes import Scopes, may_hear
 from skeletons import AXES, Group, Skeletons
 
 DIMENSIONS = {"num1": 1, "num2": 2, "num3": 3, "ang1": 1, "ang2": 2, "pick1": 1}
@@ -37,7 +38,7 @@ class Node:
         self.strategy = ("default",)
         self.publishes, self.origin, self.fault_at = 100, 0, -1
         self.fault_function, self.fault_first = None, False
-        self.hears, self.hears_policy = None, ("latest",)  # the child of its own graph that an observer listens to
+        self.hears, self.hears_policy = None, ("latest",)  # the pattern of an observer
         self.skeleton = None  # of the library's: its kind, and what its function depends on
         self.root = None    # the node from whose samples alone it makes its own, each as it comes
         self.environment = 0
@@ -612,24 +613,58 @@ class Architecture:
 
     def add_observers(self, graph, depth):
         for _, child in list(graph.children):
-            if isinstance(child, Graph) and depth < 2 and not child.group:
+            if isinstance(child, Graph) and depth < 3 and not child.group:
                 self.add_observers(child, depth + 1)
-        if not self.chance(12):
+        if not self.chance(18) or any(name.startswith("o") for name, _ in graph.children):
             return
-        ends = [(name, child) for name, child in graph.children if not isinstance(child, Node) or not child.resource and not child.hears]
-        ends = [(name, child) for name, child in ends
-                if not any(node.resource for node in (self.nodes_of(child) if isinstance(child, Graph) else [child]))
-                and any(node.outputs() for node in (self.nodes_of(child) if isinstance(child, Graph) else [child]))]
-        if ends and not any(name.startswith("o") for name, _ in graph.children):
-            observer = Node("o", 200 + depth)
-            observer.hears = self.rng.choice(ends)
-            observer.hears_policy = self.rng.choice([("latest",), ("latest",), ("delayed", 1), ("delayed", 3)])
-            self.place_somewhere(observer)
-            name, child = observer.hears
-            heard = {node.environment for node in (self.nodes_of(child) if isinstance(child, Graph) else [child])}
-            if heard != {observer.environment}:
-                observer.hears_policy = ("delayed", self.rng.choice([1, 2, 4]))
-                self.count("observers across environments")
-            observer.strategy = self.rng.choice([("full_speed",), self.timed()])
+        scopes = Scopes(self.top)
+        places = scopes.places[id(graph)]
+        observer = Node("o", 200 + depth)
+        self.place_somewhere(observer)
+        for _ in range(30):
+            pattern = self.pattern(scopes, places[0])
+            policy = self.rng.choice([("latest",), ("latest",), ("latest",), ("delayed", 1), ("delayed", 3)])
+            if self.chance(20):
+                queue = ("queue", self.rng.choice([1, 2, 4]), self.rng.choice(["drop_oldest", "drop_newest"]))
+                policy = queue if policy[0] == "latest" else policy + queue
+            found = [scopes.named(pattern, place) for place in places]
+            if not all(one and may_hear(one, policy, observer.environment) for one in found):
+                continue
+            observer.hears, observer.hears_policy = pattern, policy
+            observer.strategy = self.rng.choice([("full_speed",), self.timed(), ("restless",)])
             graph.children.insert(self.rng.randrange(len(graph.children) + 1), ("o", observer))
-            self.count("observers")
+            self.count_observer(observer, found, places)
+            return
+
+    def pattern(self, scopes, place):
+        """A path of some output, seen from a graph around, with some of its names left open."""
+        path = self.rng.choice(scopes.outputs)[0]
+        around = [n for n in range(len(place) + 1) if place[:n] == path[:n] and n < len(path) - 1]
+        names = list(path[self.rng.choice(around):])
+        absolute = len(names) == len(path) and self.chance(40)
+        for i in range(len(names)):
+            if self.chance(30):
+                names[i] = "*"
+        if self.chance(50):
+            first = self.rng.randrange(len(names))
+            last = self.rng.randrange(first, len(names)) + 1
+            names[first:last] = ["**"]
+        if self.chance(25):
+            names[self.rng.randrange(1, len(names) + 1):] = ["**"]
+        return ("/" if absolute else "") + ".".join(names)
+
+    def count_observer(self, observer, found, places):
+        self.count("observers")
+        for feature, is_so in (
+                ("observers that hear inputs", any(len(one) == 2 for some in found for one in some)),
+                ("observers with a queue", "queue" in observer.hears_policy),
+                ("patterns from the outermost graph", observer.hears[0] == "/"),
+                ("patterns found in a graph around", observer.hears[0] != "/" and any(
+                    one[0][:len(place)] != place for some, place in zip(found, places) for one in some)),
+                ("patterns with **", "**" in observer.hears),
+                ("observers across environments", any(
+                    node.environment != observer.environment
+                    for some in found for one in some
+                    for node in ([one[1]] if len(one) == 3 else [wire.writer for wire in one[1]])))):
+            if is_so:
+                self.count(feature)

@@ -9,7 +9,9 @@
 //   habit 3 100 0 -1                                    id, publishes, origin, fault_at
 //   skeleton switch 2 3000000                           instead of a habit: what skeletons.hpp knows
 //   process                                             or sense, act: whose ports follow
-//   in x 2                                              name, axes; `optional`; `heard`, by an observer, named by its path
+//   exposed arm.p0 arm.mix.y                            a second name of a port
+//   in x 2                                              name, axes; `optional`
+//   observe arm.** delayed 1                            a pattern, and its policy as that of a wire
 //   out y 1                                             `maybe`; and `fault` last, if it may stop
 //   wire arm.mix.y body.act.x delayed 3 initial 0.5     or latest, queue 4 drop_oldest
 // clang-format on
@@ -71,7 +73,9 @@ public:
     else if (word == "sense") add_call(function::sense);
     else if (word == "process") add_call(function::process);
     else if (word == "act") add_call(function::act);
-    else if (word == "in" || word == "optional" || word == "heard") add_input(from, word == "optional");
+    else if (word == "in" || word == "optional") add_input(from, word == "optional");
+    else if (word == "observe") add_observer(from);
+    else if (word == "exposed") add_second_name(from);
     else if (word == "out" || word == "maybe") add_output(from, word == "maybe");
     else if (word == "fault") g.calls.back().may_fault = true;
     else if (word == "wire") add_wire(from);
@@ -121,8 +125,26 @@ private:
     from >> out.name >> out.width;
   }
 
-  // A port by its path: call and place in it. Names of ports may have dots too (an observer names what it
-  // hears by path).
+  void add_observer(std::istream& from) {
+    observed& o = g.calls.back().patterns.emplace_back();
+    from >> o.pattern;
+    for (std::string word; from >> word;) {
+      if (word == "delayed") from >> o.delay;
+      if (word != "queue") continue;
+      o.as.is = policy::queue;
+      from >> o.as.capacity >> word;
+      o.as.full = word == "drop_newest" ? when_full::drop_newest : when_full::drop_oldest;
+    }
+    from.clear();
+  }
+
+  void add_second_name(std::istream& from) {
+    std::string second, own;
+    from >> second >> own;
+    g.second_names[own].push_back(second);
+  }
+
+  // A port by its path: call and place in it.
   template <class Ports>
   std::pair<int, int> find(const std::string& path, Ports ports) const {
     for (std::size_t t = 0; t < g.calls.size(); ++t)

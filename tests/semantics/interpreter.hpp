@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,7 @@ public:
 
   void beat() {
     if (faulted) return;
+    if (k == 0) look_up_patterns();
     for (std::size_t n = 0; n < g.nodes.size(); ++n) {
       if (g.nodes[n].stop_in == k) g.nodes[n].is_stopped = true;
       if (g.nodes[n].start_in == k) start(static_cast<int>(n));
@@ -71,6 +73,100 @@ public:
   }
   virtual bool comes_before(const publication& a, const publication& b) const {
     return std::pair(a.number, a.way) < std::pair(b.number, b.way);
+  }
+
+  // ---- scopes: a pattern is looked up in the graph in which it stands, then in the graphs around it ----
+
+  using words = std::vector<std::string>;
+  static words split(const std::string& path) {
+    words all;
+    std::istringstream from(path);
+    for (std::string one; std::getline(from, one, '.');) all.push_back(one);
+    return all;
+  }
+
+  // `*` is exactly one name, `**` any number of names, none included.
+  virtual bool matches(const words& pattern, const words& path) const {
+    if (pattern.empty()) return path.empty();
+    const words rest(pattern.begin() + 1, pattern.end());
+    if (pattern[0] != "**")
+      return !path.empty() && (pattern[0] == "*" || pattern[0] == path[0]) &&
+             matches(rest, words(path.begin() + 1, path.end()));
+    for (std::size_t skipped = 0; skipped <= path.size(); ++skipped)
+      if (matches(rest, words(path.begin() + static_cast<std::ptrdiff_t>(skipped), path.end()))) return true;
+    return false;
+  }
+
+  // The paths of the graphs in which a pattern is looked up, one after the other.
+  virtual std::vector<words> graphs_for(const std::string& pattern, const std::string& node) const {
+    if (pattern[0] == '/') return {words()};
+    std::vector<words> graphs;
+    for (words graph = split(node); !graph.empty();) {
+      graph.pop_back();
+      graphs.push_back(graph);
+    }
+    return graphs;
+  }
+
+  // The name under which a port is heard: its own, or another one; empty: the pattern does not name it.
+  std::string heard_as(const words& pattern, const words& graph, const std::string& own) const {
+    std::vector<std::string> names{own};
+    if (const auto more = g.second_names.find(own); more != g.second_names.end())
+      names.insert(names.end(), more->second.begin(), more->second.end());
+    for (const std::string& name : names) {
+      const words path = split(name);
+      if (path.size() < graph.size() || !std::equal(graph.begin(), graph.end(), path.begin())) continue;
+      if (matches(pattern, words(path.begin() + static_cast<std::ptrdiff_t>(graph.size()), path.end())))
+        return name;
+    }
+    return {};
+  }
+
+  // Outputs, and with `**` at the end also the wired inputs.
+  virtual bool names_inputs(const words& pattern) const { return pattern.back() == "**"; }
+  std::vector<input> heard_in(const words& graph, const observed& o, std::size_t observer) const {
+    const words pattern = split(o.pattern[0] == '/' ? o.pattern.substr(1) : o.pattern);
+    std::vector<input> all;
+    for (std::size_t t = 0; t < g.calls.size(); ++t) {
+      if (t == observer) continue;
+      const std::string node = g.nodes[g.calls[t].node].path + ".";
+      for (std::size_t p = 0; p < g.calls[t].outputs.size(); ++p) {
+        const output& out = g.calls[t].outputs[p];
+        input in = o.as;
+        in.name = heard_as(pattern, graph, node + out.name);
+        in.width = out.width;
+        in.initial.resize(static_cast<std::size_t>(out.width));
+        in.ways = {{static_cast<int>(t), static_cast<int>(p), o.delay}};
+        if (!in.name.empty()) all.push_back(in);
+      }
+      if (!names_inputs(pattern)) continue;
+      for (std::size_t i = 0; i < g.calls[t].inputs.size(); ++i) {
+        input in = g.calls[t].inputs[i];
+        if (!in.wired() || in.is_heard) continue;
+        if (in.is == policy::queue) in.shown_call = static_cast<int>(t), in.shown_input = static_cast<int>(i);
+        in.is = policy::latest;
+        in.name = heard_as(pattern, graph, node + in.name);
+        for (way& w : in.ways) w.delay += o.delay;
+        if (!in.name.empty()) all.push_back(in);
+      }
+    }
+    return all;
+  }
+
+  // In the order of their paths: the text leaves open which.
+  void look_up_patterns() {
+    for (std::size_t t = 0; t < g.calls.size(); ++t)
+      for (const observed& o : g.calls[t].patterns)
+        for (const words& graph : graphs_for(o.pattern, g.nodes[g.calls[t].node].path)) {
+          std::vector<input> heard = heard_in(graph, o, t);
+          std::sort(heard.begin(), heard.end(),
+                    [](const input& a, const input& b) { return a.name < b.name; });
+          for (input& in : heard) {
+            in.is_heard = true;
+            g.calls[t].inputs.push_back(in);
+          }
+          if (!heard.empty()) break;
+        }
   }
 
   // Nothing that has arrived is fresh, and its strategy begins anew.
@@ -121,7 +217,7 @@ public:
       ++in.reads;
       in.fresh_reads += seen_inputs.back().fresh;
       f.inputs.push_back({in.name, seen_inputs.back().value, seen_inputs.back().origin,
-                          seen_inputs.back().fresh, in.wired(), in.dropped});
+                          seen_inputs.back().fresh, in.wired(), in.is_heard ? 0 : in.dropped});
     }
     for (const output& out : t.outputs) f.outputs.push_back({std::vector<double>(out.width), out.is_maybe});
 
@@ -214,6 +310,7 @@ public:
     seen_input s;
     s.value = in.initial;
     if (!in.wired()) return s;
+    if (in.shown_call >= 0) return look(t, g.calls[in.shown_call].inputs[in.shown_input]);
     const publication* p = in.is == policy::queue ? head(in) : newest(in);
     if (p) s = {p->value, p->origin, true, false, in.is == policy::queue ? p->way : 0};
     s.fresh = fresh(t, in);
@@ -224,6 +321,7 @@ public:
 
   virtual bool fresh(const call& t, const input& in) const {
     if (!in.wired()) return false;
+    if (in.shown_call >= 0) return fresh(t, g.calls[in.shown_call].inputs[in.shown_input]);
     if (in.is == policy::queue) return !in.waiting.empty();
     for (const publication& p : history(in.ways[0]))
       if (arrival(in.ways[0], p) <= k && arrival(in.ways[0], p) > t.last_fired) return true;

@@ -49,6 +49,38 @@ struct dt_is_always_one_beat : base {
   double dt(const call&) const override { return static_cast<double>(g.period) / 1e9; }
 };
 
+// ---- scopes ----
+
+struct looked_up_from_the_outside : base {
+  using base::base;
+  std::vector<words> graphs_for(const std::string& pattern, const std::string& node) const override {
+    auto graphs = base::graphs_for(pattern, node);
+    std::reverse(graphs.begin(), graphs.end());
+    return graphs;
+  }
+};
+
+struct looked_up_in_its_graph_alone : base {
+  using base::base;
+  std::vector<words> graphs_for(const std::string& pattern, const std::string& node) const override {
+    return {base::graphs_for(pattern, node)[0]};
+  }
+};
+
+struct star_is_any_number : base {
+  using base::base;
+  bool matches(const words& pattern, const words& path) const override {
+    words any = pattern;
+    std::replace(any.begin(), any.end(), std::string("*"), std::string("**"));
+    return base::matches(any, path);
+  }
+};
+
+struct no_inputs_are_named : base {
+  using base::base;
+  bool names_inputs(const words&) const override { return false; }
+};
+
 // ---- stopped and started ----
 
 struct fires_although_stopped : base {
@@ -539,6 +571,10 @@ const std::vector<mutant> all_mutants{
     {"calls in the order of declaration", mutants::made<mutants::declared_order>},
     {"the first dt is one beat", mutants::made<mutants::first_dt_is_one_beat>},
     {"dt is always one beat", mutants::made<mutants::dt_is_always_one_beat>},
+    {"a pattern is looked up from the outside", mutants::made<mutants::looked_up_from_the_outside>},
+    {"a pattern is looked up in its graph alone", mutants::made<mutants::looked_up_in_its_graph_alone>},
+    {"* stands for any number of names", mutants::made<mutants::star_is_any_number>},
+    {"** at the end names no inputs", mutants::made<mutants::no_inputs_are_named>},
     {"a component fires although it is stopped", mutants::made<mutants::fires_although_stopped>},
     {"what came while it was stopped is fresh", mutants::made<mutants::fresh_after_the_start>},
     {"the first dt after a start counts the time before", mutants::made<mutants::dt_counts_the_rest>},

@@ -74,6 +74,8 @@ struct input {
   std::vector<way> ways;  // more than one: they are merged
   policy is = policy::latest;
   bool is_merged = false;
+  bool is_heard = false;                  // by an observer
+  int shown_call = -1, shown_input = -1;  // it shows what waits in the queue of this input
   std::size_t capacity = 0;
   when_full full = when_full::drop_oldest;
   std::vector<double> initial;
@@ -89,12 +91,20 @@ struct input {
   bool delayed() const { return ways.size() == 1 && ways[0].delay > 0; }
 };
 
+// What a call observes: a pattern, and the policies as those of an input.
+struct observed {
+  std::string pattern;
+  input as{};
+  std::int64_t delay = 0;
+};
+
 // One call in a beat: of a component, or of one function of a resource node.
 struct call {
   int node = -1;
   function which = function::process;
   std::vector<input> inputs;
   std::vector<output> outputs;
+  std::vector<observed> patterns;
   bool may_fault = false;
 
   std::int64_t last_fired = never;
@@ -116,10 +126,11 @@ struct node {
 
 struct graph {
   std::string name;
-  std::int64_t period = 1;              // T, in nanoseconds
-  std::vector<node> nodes;              // as declared, depth first
-  std::vector<call> calls;              // as declared
-  std::map<std::string, int> features;  // counted by who made the graph
+  std::int64_t period = 1;                                       // T, in nanoseconds
+  std::vector<node> nodes;                                       // as declared, depth first
+  std::vector<call> calls;                                       // as declared
+  std::map<std::string, std::vector<std::string>> second_names;  // of a port, as graphs expose it
+  std::map<std::string, int> features;                           // counted by who made the graph
 };
 
 // An input as its component sees it.

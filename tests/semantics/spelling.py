@@ -22,28 +22,39 @@ def flat(made):
             return resolve(child, path + child_name + ".", child.exposes[port])
         return path + name
 
-    def outputs_of(path, child):
-        if isinstance(child, Node):
-            return [(f"{path}.{port.name}", port) for _, port in child.outputs()]
-        return [one for name, inner in child.children for one in outputs_of(f"{path}.{name}", inner)]
-
     def walk(graph, path):
         for name, child in graph.children:
             if isinstance(child, Graph):
                 walk(child, path + name + ".")
             else:
-                heard = []
-                if child.hears:
-                    for from_, port in outputs_of(path + child.hears[0], child.hears[1]):
-                        heard.append((from_, port))
-                        wires.append((from_, f"{path}{name}.{from_}", child.hears_policy))
-                    heard.sort(key=lambda one: one[0])
-                nodes.append((path + name, child, heard))
+                nodes.append((path + name, child))
         for a, b, wire in graph.wires:
             wires.append((resolve(graph, path, a), resolve(graph, path, b), wire))
 
     walk(made.top, "")
     return nodes, wires
+
+
+def exposed(made):
+    """Second names of ports, as graphs expose them: (path, path of the port)."""
+    names = []
+
+    def resolve(graph, path, name):
+        child_name, port = name.split(".")
+        child = dict(graph.children)[child_name]
+        if isinstance(child, Graph):
+            return resolve(child, path + child_name + ".", child.exposes[port])
+        return path + name
+
+    def walk(graph, path):
+        names.extend((path + outer, resolve(graph, path, inner)) for outer, inner in graph.exposes.items() if path)
+        for name, child in graph.children:
+            if isinstance(child, Graph):
+                walk(child, path + name + ".")
+
+    walk(made.top, "")
+    return names
+
 
 
 def words(strategy):
@@ -63,7 +74,8 @@ def text(made):
     nodes, wires = flat(made)
     if made.environments > 1:
         lines += [f"feature {n} {name}" for name, n in crossings(made).items() if n]
-    for path, node, heard in nodes:
+    lines += [f"exposed {name} {port}" for name, port in exposed(made)]
+    for path, node in nodes:
         lines.append(f"{'resource' if node.resource else 'component'} {path} {words(node.strategy)}")
         lines += [f"rests {node.rests[0]} {node.rests[1]}"] if node.rests else []
         lines.append("skeleton " + " ".join(map(str, node.skeleton)) if node.skeleton else
@@ -71,13 +83,12 @@ def text(made):
         for function in node.functions:
             lines.append(function)
             lines += [f"{'optional' if port.kind == 'optional_in' else 'in'} {port.name} {DIMENSIONS[port.space]}" for port in node.ports[function][0]]
-            lines += [f"heard {name} {DIMENSIONS[port.space]}" for name, port in heard]
+            lines += ["observe " + " ".join(map(str, (node.hears,) + node.hears_policy))] if node.hears else []
             lines += [f"{port.kind} {port.name} {DIMENSIONS[port.space]}" for port in node.ports[function][1]]
             lines += ["fault"] if node.fault_function == function else []
     for a, b, wire in wires:
-        observed = isinstance(wire, tuple)
-        line = f"wire {a} {b} " + " ".join(map(str, wire if observed else wire.policy))
-        if not observed and wire.initial:
+        line = f"wire {a} {b} " + " ".join(map(str, wire.policy))
+        if wire.initial:
             line += " initial " + " ".join(map(str, wire.initial))
         lines.append(line)
     return "\n".join(lines) + "\n"
@@ -115,13 +126,22 @@ def strategy_cpp(strategy):
     return f"cca::{kind}"
 
 
+def policies_cpp(policy):
+    options = []
+    if policy[0] == "delayed":
+        options.append(f"cca::delayed<{policy[1]}>")
+        policy = policy[2:]
+    if policy and policy[0] in ("queue", "merged"):
+        options.append(f"cca::{policy[0]}<{policy[1]}, cca::{policy[2]}>")
+    return options
+
+
 def function_cpp(node, function):
     if function not in node.functions:
         return "void, void"
     inputs, outputs = ([port.cpp() for port in ports] for ports in node.ports[function])
     if node.hears:
-        delay = f", cca::delayed<{node.hears_policy[1]}>" if node.hears_policy[0] == "delayed" else ""
-        inputs.append(f'cca::observe<"{node.hears[0]}.**.*"{delay}>')
+        inputs.append(f'cca::observe<{", ".join([f"{chr(34)}{node.hears}{chr(34)}"] + policies_cpp(node.hears_policy))}>')
     if node.fault_function == function:
         outputs.insert(0 if node.fault_first else len(outputs), "cca::fault")
     return f"reads<{', '.join(inputs)}>, tells<{', '.join(outputs)}>"
@@ -145,15 +165,9 @@ def graph_cpp(graph, rng):
             strategy = ", " + strategy_cpp(child.strategy)
         nodes.append(f'cca::node<"{name}", {kind}{strategy}>')
     for a, b, wire in graph.wires:
-        options = []
-        rest = wire.policy
-        if rest[0] == "delayed":
-            options.append(f"cca::delayed<{rest[1]}>")
-            rest = rest[2:]
-        if rest and rest[0] in ("queue", "merged"):
-            options.append(f"cca::{rest[0]}<{rest[1]}, cca::{rest[2]}>")
-            rng.shuffle(options)
-        elif wire.policy == ("latest",) and wire.stated:
+        options = policies_cpp(wire.policy)
+        rng.shuffle(options)
+        if wire.policy == ("latest",) and wire.stated:
             options.append("cca::latest")
         if wire.initial:
             same = len(set(wire.initial)) == 1
@@ -216,8 +230,8 @@ def code(made, over_dds=False):
     if as_long:
         lines += [f"\n{closed}", *as_long, f"namespace architecture_{made.seed} {{"]
     nodes = flat(made)[0]
-    crews = [path for path, node, _ in nodes if node.skeleton and node.skeleton[0] == "on_threads"]
-    resting = [(path, node.rests) for path, node, _ in nodes if node.rests]
+    crews = [path for path, node in nodes if node.skeleton and node.skeleton[0] == "on_threads"]
+    resting = [(path, node.rests) for path, node in nodes if node.rests]
     around = crews or resting
     if around:
         waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
