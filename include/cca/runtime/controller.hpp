@@ -113,8 +113,7 @@ private:
     if constexpr (detail::is_probed<Key>) state_of_all.begin_frame(k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->begin(k);
-    if (detail::begins<Key>(state_of_all, outcome, k))
-      detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
+    detail::run_beat_of_graph<Key>(state_of_all, outcome, k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->end();
     if constexpr (detail::is_probed<Key>) state_of_all.end_frame();

@@ -101,4 +101,11 @@ using beat_of_graph = std::conditional_t<
                                          (counts_of<Graph>.order_count + calls_in_part<Graph> - 1) /
                                              calls_in_part<Graph>>>>;
 
+// The same after what has been under way to queues has arrived, in a graph that has such queues.
+template <class Graph>
+CCA_INLINE void run_beat_of_graph(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
+  if constexpr (late_queues<Graph>::size() == 0) beat_of_graph<Graph>::run(state, outcome, k);
+  else if (begins<Graph>(state, outcome, k)) beat_of_graph<Graph>::run(state, outcome, k);
+}
+
 }  // namespace cca::detail

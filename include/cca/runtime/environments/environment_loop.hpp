@@ -253,7 +253,7 @@ private:
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
-    if (begins<Key>(state, outcome, index())) beat_of_graph<Key>::run(state, outcome, index());
+    run_beat_of_graph<Key>(state, outcome, index());
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->end();
     if constexpr (is_probed<Key>)

@@ -199,8 +199,7 @@ private:
     if constexpr (detail::is_probed<Key>) state_of_all.template begin_frame<part<I>>(k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->begin(k, detail::trace_name(detail::first_node_of_mode<M, I>, detail::phase_of_beat::process));
-    if (detail::begins<Key>(state_of_all, outcome, k))
-      detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
+    detail::run_beat_of_graph<Key>(state_of_all, outcome, k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->end();
     if constexpr (detail::is_probed<Key>) state_of_all.end_frame();
