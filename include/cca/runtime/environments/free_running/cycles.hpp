@@ -60,6 +60,10 @@ protected:
     };
     std::int64_t asked_at = 0;
     while (!is_over()) {
+      // A pause of the first environment is one of all. It may go on without a further beat only at the end.
+      if (const std::int64_t next = loop().begun() + 1;
+          next < end && shared.environments[0].is_paused.load(std::memory_order_acquire))
+        if (!loop().wait_for_beat(next, after_cycle)) return;
       run_cycle();
       if (loop().active_at - asked_at > most_trust) {
         asked_at = loop().active_at;
