@@ -43,6 +43,7 @@ class Node:
         self.root = None    # the node from whose samples alone it makes its own, each as it comes
         self.environment = 0
         self.rests = None   # the beats before which somebody stops it and starts it again
+        self.asks = []      # parts that it stops or starts by its results: the path as it is spelled, and which of the two
 
     def inputs(self):
         return [(function, port) for function in self.functions for port in self.ports[function][0]]
@@ -69,6 +70,7 @@ class Graph:
         self.children, self.wires, self.exposes = [], [], {}
         self.rate = None
         self.group = None  # a skeleton of the library's, which has what this graph shows
+        self.stoppable = set()  # the names of inner graphs that stop and start as a whole
 
     def expose(self, inner):
         if self.group:
@@ -552,6 +554,46 @@ class Architecture:
                 inner.rate = self.base
         self.use_twice()
         self.add_observers(self.top, 0)
+        self.let_parts_rest()
+
+    def let_parts_rest(self):
+        """Some inner graphs can be stopped as a whole, and some components stop and start parts by their results."""
+        rng = random.Random(f"{self.seed} parts")
+        if self.threads:
+            return
+        for graph in self.types:
+            for name, child in graph.children:
+                if isinstance(child, Graph) and rng.randrange(100) < 45 and not any(
+                        node.resource or node.skeleton or node.environment == self.free for node in self.nodes_of(child)):
+                    graph.stoppable.add(name)
+                    self.count("inner graphs that may be stopped")
+        for graph in self.types:
+            paths = ["/" + path for path, _ in self.parts()] + sorted(graph.stoppable)
+            for _, node in graph.children:
+                if isinstance(node, Node) and not node.resource and not node.skeleton and not node.hears and paths and rng.randrange(100) < 12:
+                    for path in rng.sample(paths, min(len(paths), rng.choice([1, 1, 2]))):
+                        node.asks += [(path, kind) for kind in rng.choice([("stops", "starts"), ("starts", "stops"), ("stops", "starts")])]
+                    self.count("components that ask for parts")
+
+    def parts(self):
+        """The paths of all parts, each with the beats before which somebody stops it and starts it again, or None."""
+        found = []
+
+        def walk(graph, path):
+            for name, child in graph.children:
+                if isinstance(child, Node):
+                    if child.strategy[0] == "stoppable":
+                        found.append((path + name, child.rests))
+                    continue
+                if name in graph.stoppable:
+                    rng = random.Random(f"{self.seed} {path}{name} rests")
+                    first = rng.randrange(1, 80)
+                    rests = (first, first + rng.randrange(1, 50)) if self.environments == 1 and rng.randrange(100) < 70 else None
+                    found.append((path + name, rests))
+                walk(child, path + name + ".")
+
+        walk(self.top, "")
+        return found
 
     def make_graph(self, order, depth, around):
         graph = Graph("top" if depth == 0 else f"g{len(self.types)}")

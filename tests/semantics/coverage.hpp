@@ -26,8 +26,13 @@ public:
     for (const call& t : i.g.calls) {
       const node& n = i.g.nodes[t.node];
       if (t.firings > 0) add(n.when, t.which == function::process ? "" : " (resource node)");
-      counts["components that were stopped and fired again"] +=
-          n.start_in != never && n.start_in < i.k && !t.is_new;
+      for (const int p : n.parts) {
+        const bool again = i.g.parts[p].start_in != never && i.g.parts[p].start_in < i.k && !t.is_new;
+        counts["components that were stopped and fired again"] += again;
+        counts["components of inner graphs that were stopped and fired again"] +=
+            again && i.g.parts[p].path != n.path;
+        counts["components of parts in parts"] += n.parts.size() > 1 && t.firings > 0;
+      }
       if (!n.skeleton.empty() && t.firings > 1) ++counts["skeleton: " + n.skeleton];
       if (n.when.is == strategy::inactive && t.firings == 0) ++counts["inactive, never fired"];
       counts["halves of resource nodes that fired"] += t.which != function::process && t.firings > 0;
@@ -39,6 +44,7 @@ public:
           counts["maybe outputs that once did not"] += std::ssize(out.history) < t.firings;
         }
     }
+    for (const part& p : i.g.parts) counts["parts that components stopped or started"] += p.changes > 0;
     bool component_fault = false;
     for (const firing& f : i.firings) {
       component_fault = component_fault || f.fault;
@@ -85,6 +91,10 @@ public:
                                            "all_of",
                                            "stoppable",
                                            "components that were stopped and fired again",
+                                           "components of inner graphs that were stopped and fired again",
+                                           "components of parts in parts",
+                                           "inner graphs that may be stopped",
+                                           "parts that components stopped or started",
                                            "user: on_beats",
                                            "user: patient",
                                            "user: above",
@@ -169,6 +179,8 @@ public:
       "observers across environments",
       "free-running environments",
       "wires without delay to or from a free-running environment",
+      "inner graphs that may be stopped",
+      "parts that components stopped or started",
       "queue, drop_oldest: lost",
       "queue, delayed",
       "merged: samples of two or more wires",

@@ -5,7 +5,8 @@
 //   period 1000000
 //   feature 2 exposes                                   what the code has but the flat graph does not show
 //   component arm.mix any_of 2 moderate timeout 15      path, strategy; `resource` for a resource node
-//   rests 20 35                                         stopped before beat 20, started before beat 35
+//   part arm 20 35                                      may be stopped; is, before beat 20, and started before beat 35
+//   asks orders arm stops 3                             a component stops or starts it by its results
 //   habit 3 100 0 -1                                    id, publishes, origin, fault_at
 //   skeleton switch 2 3000000                           instead of a habit: what skeletons.hpp knows
 //   process                                             or sense, act: whose ports follow
@@ -68,7 +69,8 @@ public:
     else if (word == "period") from >> g.period;
     else if (word == "component" || word == "resource") add_node(from, word == "resource");
     else if (word == "habit") set_habit(from);
-    else if (word == "rests") from >> g.nodes.back().stop_in >> g.nodes.back().start_in;
+    else if (word == "part") add_part(from);
+    else if (word == "asks") add_request(from);
     else if (word == "skeleton") set_skeleton(from);
     else if (word == "sense") add_call(function::sense);
     else if (word == "process") add_call(function::process);
@@ -98,6 +100,27 @@ private:
     from >> h.id >> h.publishes >> h.origin >> h.fault_at;
     g.nodes.back().id = h.id;
     g.nodes.back().does = [h, m = memory{}](firing& f) mutable { respond(h, m, f); };
+  }
+
+  // After all nodes.
+  void add_part(std::istream& from) {
+    part& p = g.parts.emplace_back();
+    from >> p.path >> p.stop_in >> p.start_in;
+    if (p.stop_in < 0) p.stop_in = p.start_in = never;
+    for (node& n : g.nodes)
+      if (n.path == p.path || n.path.starts_with(p.path + "."))
+        n.parts.push_back(static_cast<int>(g.parts.size()) - 1);
+  }
+  void add_request(std::istream& from) {
+    std::string asking, asked, what;
+    request r;
+    from >> asking >> asked >> what >> r.salt;
+    r.starts = what == "starts";
+    for (std::size_t p = 0; p < g.parts.size(); ++p)
+      if (g.parts[p].path == asked) r.part = static_cast<int>(p);
+    for (node& n : g.nodes)
+      if (n.path == asking && r.part >= 0) return n.asks.push_back(r);
+    throw std::runtime_error("description: no part '" + asked + "', or no node '" + asking + "'");
   }
 
   void set_skeleton(std::istream& from) {

@@ -75,6 +75,15 @@ struct memory {
 // Fills `f.outputs` (whose sizes are set) and `f.fault` from all that the component sees and remembers.
 void respond(const habit& h, memory& m, firing& f);
 
+// Whether a test component asks for a part, in a beat: `salt` says which of its requests.
+inline bool wants(int id, std::int64_t beat, int salt) {
+  std::uint64_t h = static_cast<std::uint64_t>(beat) * 0x9e3779b97f4a7c15u +
+                    static_cast<std::uint64_t>(id) * 7919u + static_cast<std::uint64_t>(salt) * 104729u;
+  h ^= h >> 31;
+  h *= 0xbf58476d1ce4e5b9u;
+  return (h >> 40) % 13 == 0;
+}
+
 // What a worker on a thread makes of its part, the n-th time.
 inline double worker_result(double x, int n) { return 0.5 * x + n % 5; }
 

@@ -36,9 +36,9 @@ public:
   void beat() {
     if (faulted) return;
     if (k == 0) look_up_patterns();
-    for (std::size_t n = 0; n < g.nodes.size(); ++n) {
-      if (g.nodes[n].stop_in == k) g.nodes[n].is_stopped = true;
-      if (g.nodes[n].start_in == k) start(static_cast<int>(n));
+    for (std::size_t p = 0; p < g.parts.size(); ++p) {
+      if (g.parts[p].stop_in == k) set_part(p, true);
+      if (g.parts[p].start_in == k) set_part(p, false);
     }
     begin();
     if (faulted) return on_fault();
@@ -47,11 +47,40 @@ public:
       for (int next = next_call(which, was_called); next >= 0; next = next_call(which, was_called)) {
         was_called[next] = true;
         call& t = g.calls[next];
-        if (fires(when(t), t)) fire(t);
+        if (!rests(t.node) && fires(when(t), t)) fire(t);
         if (faulted) return on_fault();
       }
     }
     ++k;
+    take_requests();
+  }
+
+  // ---- parts: a component runs if no part that has it is stopped ----
+
+  virtual bool rests(int node) const {
+    for (const int p : g.nodes[node].parts)
+      if (g.parts[p].is_stopped) return true;
+    return false;
+  }
+
+  virtual void set_part(std::size_t p, bool stops) {
+    std::vector<bool> rested;
+    for (std::size_t n = 0; n < g.nodes.size(); ++n) rested.push_back(rests(static_cast<int>(n)));
+    g.parts[p].is_stopped = stops;
+    for (std::size_t n = 0; n < g.nodes.size(); ++n)
+      if (rested[n] && !rests(static_cast<int>(n))) start(static_cast<int>(n));
+  }
+
+  // When the next beat begins: of several requests in one beat the last one counts. A beat that ends by a
+  // fault has none.
+  virtual void ask(const request& r) { g.parts[r.part].asked = r.starts ? 1 : -1; }
+  void take_requests() {
+    for (std::size_t p = 0; p < g.parts.size(); ++p) {
+      const int asked = std::exchange(g.parts[p].asked, 0);
+      if (asked == 0 || g.parts[p].is_stopped == (asked < 0)) continue;
+      ++g.parts[p].changes;
+      set_part(p, asked < 0);
+    }
   }
 
   // Delayed samples enter their queues, in the order in which they were published.
@@ -171,7 +200,6 @@ public:
 
   // Nothing that has arrived is fresh, and its strategy begins anew.
   virtual void start(int started) {
-    g.nodes[started].is_stopped = false;
     forget(g.nodes[started].when);
     for (call& t : g.calls)
       if (t.node == started) {
@@ -230,6 +258,8 @@ public:
     t.oldest_seen = oldest(t, seen_inputs);
     ++t.firings;
     if (f.fault) faulted = true;
+    for (const request& r : g.nodes[t.node].asks)
+      if (wants(g.nodes[t.node].id, k, r.salt)) ask(r);
     for (std::size_t i = 0; i < t.outputs.size() && !faulted; ++i)
       if (f.outputs[i].published)
         publish(t, i, {k, f.outputs[i].value, stamp(f.outputs[i], from), published++});
@@ -388,7 +418,7 @@ public:
         return all;
       }
       case strategy::stoppable:
-        return !g.nodes[t.node].is_stopped && fires(s.parts[0], t);
+        return fires(s.parts[0], t);
       case strategy::user:
         return user_fires(s, t);
     }

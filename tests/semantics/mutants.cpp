@@ -85,9 +85,46 @@ struct no_inputs_are_named : base {
 
 struct fires_although_stopped : base {
   using base::base;
-  bool fires(const strategy& s, const call& t) override {
-    return base::fires(s.is == strategy::stoppable ? s.parts[0] : s, t);
+  bool rests(int) const override { return false; }
+};
+
+// Of a component that is a part itself the flag of its own counts, of one in a part nothing.
+struct inner_graphs_do_not_stop : base {
+  using base::base;
+  bool rests(int node) const override {
+    for (const int p : g.nodes[node].parts)
+      if (g.parts[p].is_stopped && g.parts[p].path == g.nodes[node].path) return true;
+    return false;
   }
+};
+
+// A part that starts takes along those in it that were stopped on their own.
+struct starts_what_is_inside : base {
+  using base::base;
+  void set_part(std::size_t p, bool stops) override {
+    base::set_part(p, stops);
+    if (stops) return;
+    for (std::size_t inner = 0; inner < g.parts.size(); ++inner)
+      if (g.parts[inner].is_stopped && g.parts[inner].path.starts_with(g.parts[p].path + "."))
+        base::set_part(inner, false);
+  }
+};
+
+struct requests_at_once : base {
+  using base::base;
+  void ask(const request& r) override { set_part(static_cast<std::size_t>(r.part), !r.starts); }
+};
+
+struct first_request_counts : base {
+  using base::base;
+  void ask(const request& r) override {
+    if (g.parts[r.part].asked == 0) base::ask(r);
+  }
+};
+
+struct requests_are_lost : base {
+  using base::base;
+  void ask(const request&) override {}
 };
 
 struct fresh_after_the_start : base {
@@ -576,6 +613,11 @@ const std::vector<mutant> all_mutants{
     {"* stands for any number of names", mutants::made<mutants::star_is_any_number>},
     {"** at the end names no inputs", mutants::made<mutants::no_inputs_are_named>},
     {"a component fires although it is stopped", mutants::made<mutants::fires_although_stopped>},
+    {"an inner graph does not stop", mutants::made<mutants::inner_graphs_do_not_stop>},
+    {"a part starts what is inside", mutants::made<mutants::starts_what_is_inside>},
+    {"a request has effect at once", mutants::made<mutants::requests_at_once>},
+    {"of two requests the first counts", mutants::made<mutants::first_request_counts>},
+    {"requests are lost", mutants::made<mutants::requests_are_lost>},
     {"what came while it was stopped is fresh", mutants::made<mutants::fresh_after_the_start>},
     {"the first dt after a start counts the time before", mutants::made<mutants::dt_counts_the_rest>},
     {"delayed<N> arrives one beat late", mutants::made<mutants::delayed_one_too_long>},

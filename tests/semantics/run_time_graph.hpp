@@ -113,22 +113,37 @@ struct call {
   int firings = 0;
 };
 
+// A component, or an inner graph as a whole, that may be stopped.
+struct part {
+  std::string path;
+  std::int64_t stop_in = never, start_in = never;  // before which beat somebody stops and starts it
+  bool is_stopped = false;
+  int asked = 0;    // in this beat: 1 to start, -1 to stop
+  int changes = 0;  // that components have asked for
+};
+struct request {
+  int part = -1;
+  bool starts = false;
+  int salt = 0;
+};
+
 struct node {
   std::string path;
   bool resource = false;
   strategy when;
   int id = 0;
-  std::int64_t stop_in = never, start_in = never;  // before which beat somebody stops and starts it
-  bool is_stopped = false;
-  std::string skeleton{};  // its kind: a component of the library's, which writes nothing down
+  std::vector<int> parts{};     // that have it, and may be stopped
+  std::vector<request> asks{};  // of parts, each time it fires
+  std::string skeleton{};       // its kind: a component of the library's, which writes nothing down
   std::function<void(firing&)> does;
 };
 
 struct graph {
   std::string name;
-  std::int64_t period = 1;                                       // T, in nanoseconds
-  std::vector<node> nodes;                                       // as declared, depth first
-  std::vector<call> calls;                                       // as declared
+  std::int64_t period = 1;  // T, in nanoseconds
+  std::vector<node> nodes;  // as declared, depth first
+  std::vector<call> calls;  // as declared
+  std::vector<part> parts;
   std::map<std::string, std::vector<std::string>> second_names;  // of a port, as graphs expose it
   std::map<std::string, int> features;                           // counted by who made the graph
 };

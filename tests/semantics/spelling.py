@@ -77,7 +77,6 @@ def text(made):
     lines += [f"exposed {name} {port}" for name, port in exposed(made)]
     for path, node in nodes:
         lines.append(f"{'resource' if node.resource else 'component'} {path} {words(node.strategy)}")
-        lines += [f"rests {node.rests[0]} {node.rests[1]}"] if node.rests else []
         lines.append("skeleton " + " ".join(map(str, node.skeleton)) if node.skeleton else
                      f"habit {node.number} {node.publishes} {node.origin} {node.fault_at}")
         for function in node.functions:
@@ -86,12 +85,27 @@ def text(made):
             lines += ["observe " + " ".join(map(str, (node.hears,) + node.hears_policy))] if node.hears else []
             lines += [f"{port.kind} {port.name} {DIMENSIONS[port.space]}" for port in node.ports[function][1]]
             lines += ["fault"] if node.fault_function == function else []
+    parts = made.parts()
+    lines += [f"part {path} {rests[0]} {rests[1]}" if rests else f"part {path} -1 -1" for path, rests in parts]
+    for path, node in nodes:
+        around = path.rpartition(".")[0]
+        for spelled, kind in node.asks:
+            asked = spelled[1:] if spelled[0] == "/" else f"{around}.{spelled}" if around else spelled
+            lines.append(f"asks {path} {asked} {kind} {salt(spelled, kind)}")
     for a, b, wire in wires:
         line = f"wire {a} {b} " + " ".join(map(str, wire.policy))
         if wire.initial:
             line += " initial " + " ".join(map(str, wire.initial))
         lines.append(line)
     return "\n".join(lines) + "\n"
+
+
+def salt(path, kind):
+    """As `salt_of` in probe.hpp."""
+    number = int(kind == "starts")
+    for letter in path:
+        number = (number * 31 + ord(letter)) % 100003
+    return number
 
 
 def crossings(made):
@@ -142,6 +156,7 @@ def function_cpp(node, function):
     inputs, outputs = ([port.cpp() for port in ports] for ports in node.ports[function])
     if node.hears:
         inputs.append(f'cca::observe<{", ".join([f"{chr(34)}{node.hears}{chr(34)}"] + policies_cpp(node.hears_policy))}>')
+    outputs += [f'cca::{kind}<"{path}">' for path, kind in node.asks]
     if node.fault_function == function:
         outputs.insert(0 if node.fault_first else len(outputs), "cca::fault")
     return f"reads<{', '.join(inputs)}>, tells<{', '.join(outputs)}>"
@@ -163,6 +178,8 @@ def graph_cpp(graph, rng):
         strategy = ""
         if isinstance(child, Node) and child.strategy != ("default",):
             strategy = ", " + strategy_cpp(child.strategy)
+        if name in graph.stoppable:
+            strategy = ", cca::stoppable<>"
         nodes.append(f'cca::node<"{name}", {kind}{strategy}>')
     for a, b, wire in graph.wires:
         options = policies_cpp(wire.policy)
@@ -231,7 +248,7 @@ def code(made, over_dds=False):
         lines += [f"\n{closed}", *as_long, f"namespace architecture_{made.seed} {{"]
     nodes = flat(made)[0]
     crews = [path for path, node in nodes if node.skeleton and node.skeleton[0] == "on_threads"]
-    resting = [(path, node.rests) for path, node in nodes if node.rests]
+    resting = [(path, rests) for path, rests in made.parts() if rests]
     around = crews or resting
     if around:
         waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
