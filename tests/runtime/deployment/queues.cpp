@@ -206,17 +206,18 @@ TEST_SUITE("queues") {
   }
 
   TEST_CASE("a beat that a fault cuts: a queue gets what was published, and nothing else") {
-    const auto c = played<cca::controller<cut>>(40, 1);
+    const auto c = played<cca::controller<cut>>(60, 1);
     std::vector<double> from_after;
     for (const auto& one : c.get<"r">().log)
       if (one.value >= 200) from_after.push_back(one.value);
-    CHECK(from_after.size() == 19);  // not in beat 20, and some wait still
-    for (std::size_t i = 0; i < from_after.size(); ++i) CHECK(from_after[i] == 200 + static_cast<double>(i));
+    REQUIRE(from_after.size() > 25);  // the rest waits still
+    for (std::size_t i = 0; i < from_after.size(); ++i)
+      CHECK(from_after[i] == 200 + static_cast<double>(i < 20 ? i : i + 1));  // nothing in beat 20
     // In beat 22 an input without a queue sees the sample of beat 19 again: beat 20 counts as done.
     CHECK(c.get<"s">().log[21].value == 219);
     CHECK(c.get<"s">().log[21].fresh);
     for (int again = 0; again < 10; ++again) {
-      const auto d = played<cca::deployed<cut_apart>>(40, 1);
+      const auto d = played<cca::deployed<cut_apart>>(60, 1);
       CHECK(d.get<"r">().log == c.get<"r">().log);
       CHECK(d.get<"s">().log == c.get<"s">().log);
     }
