@@ -49,7 +49,7 @@ struct message_type {
 
 // As Cyclone and its generated code lay out a sequence.
 template <class Type>
-struct sequence {
+struct message_sequence {
   std::uint32_t maximum = 0, length = 0;
   Type* buffer = nullptr;
   bool release = false;
@@ -59,7 +59,7 @@ struct sequence {
 
 // Of a sequence in a message.
 template <class Type>
-sequence<Type> borrowed(Type* first, std::size_t count) {
+message_sequence<Type> borrowed(Type* first, std::size_t count) {
   const auto length = static_cast<std::uint32_t>(count);
   return {length, length, first, false};
 }
@@ -78,7 +78,7 @@ private:
       if (f.count != message_field::sequence) {
         add_all(f, here, static_cast<std::size_t>(f.count));
       } else {
-        sequence<std::byte> all;
+        message_sequence<std::byte> all;
         std::memcpy(&all, here, sizeof all);
         put(4, 1);
         add_all(f, all.buffer, all.length);

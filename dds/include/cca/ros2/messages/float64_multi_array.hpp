@@ -35,7 +35,7 @@ inline constexpr message_type array_dimension_type{"std_msgs/msg/MultiArrayDimen
                                                    sizeof(array_dimension), alignof(array_dimension)};
 
 struct array_layout {
-  sequence<array_dimension> dim;
+  message_sequence<array_dimension> dim;
   std::uint32_t data_offset = 0;
 };
 inline constexpr std::array array_layout_fields{
@@ -48,7 +48,7 @@ inline constexpr message_type array_layout_type{"std_msgs/msg/MultiArrayLayout",
 
 struct array_message {
   array_layout layout;
-  sequence<double> data;
+  message_sequence<double> data;
 };
 inline constexpr std::array array_message_fields{
     message_field{"layout", kind::message, offsetof(array_message, layout), 1, &array_layout_type},

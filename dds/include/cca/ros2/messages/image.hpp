@@ -42,7 +42,7 @@ struct image_message {
   char* encoding = nullptr;
   std::uint8_t is_bigendian = 0;
   std::uint32_t step = 0;
-  sequence<std::uint8_t> data;
+  message_sequence<std::uint8_t> data;
 };
 inline constexpr std::array image_fields{
     message_field{"header", kind::message, offsetof(image_message, head), 1, &header_type},

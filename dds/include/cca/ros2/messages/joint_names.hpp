@@ -26,10 +26,10 @@ public:
   joint_names& operator=(const joint_names&) = delete;
 
   // As long as this object lives.
-  sequence<char*> all() { return borrowed(letters.data(), letters.size()); }
+  message_sequence<char*> all() { return borrowed(letters.data(), letters.size()); }
 
   // Where each joint is among the names of a message. Null, or why they are refused.
-  static const char* find(const sequence<char*>& in, std::array<std::size_t, count>& places) {
+  static const char* find(const message_sequence<char*>& in, std::array<std::size_t, count>& places) {
     for (std::size_t i = 0; i < count; ++i) {
       places[i] = in.length;
       for (std::size_t k = 0; k < in.length; ++k) {

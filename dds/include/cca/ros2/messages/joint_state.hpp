@@ -29,8 +29,8 @@ namespace detail {
 
 struct joint_state_message {
   header head;
-  sequence<char*> name;
-  sequence<double> position, velocity, effort;
+  message_sequence<char*> name;
+  message_sequence<double> position, velocity, effort;
 };
 inline constexpr std::array joint_state_fields{
     message_field{"header", kind::message, offsetof(joint_state_message, head), 1, &header_type},
@@ -45,7 +45,7 @@ inline constexpr std::array joint_state_fields{
 template <class Domain>
 struct joint_field {
   static constexpr fixed_string name{"none"};
-  static constexpr sequence<double> joint_state_message::* values = nullptr;
+  static constexpr message_sequence<double> joint_state_message::* values = nullptr;
 };
 template <>
 struct joint_field<joint_angles> {

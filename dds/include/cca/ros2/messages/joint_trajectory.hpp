@@ -51,7 +51,7 @@ struct trajectory_times : array_of<trajectory_point_time, Points> {};
 namespace detail {
 
 struct trajectory_point {
-  sequence<double> positions, velocities, accelerations, effort;
+  message_sequence<double> positions, velocities, accelerations, effort;
   time_stamp time_from_start;
 };
 inline constexpr message_type duration_type{"builtin_interfaces/msg/Duration", time_fields,
@@ -72,8 +72,8 @@ inline constexpr message_type trajectory_point_type{"trajectory_msgs/msg/JointTr
 
 struct trajectory_message {
   header head;
-  sequence<char*> joint_names;
-  sequence<trajectory_point> points;
+  message_sequence<char*> joint_names;
+  message_sequence<trajectory_point> points;
 };
 inline constexpr std::array trajectory_message_fields{
     message_field{"header", kind::message, offsetof(trajectory_message, head), 1, &header_type},
@@ -86,7 +86,7 @@ inline constexpr std::array trajectory_message_fields{
 template <class Domain>
 struct trajectory_field {
   static constexpr fixed_string name{"none"};
-  static constexpr sequence<double> trajectory_point::* values = nullptr;
+  static constexpr message_sequence<double> trajectory_point::* values = nullptr;
 };
 template <>
 struct trajectory_field<joint_angles> {

@@ -50,7 +50,7 @@ inline constexpr message_type transform_message_type{
     alignof(transform_message), "RIHS01_0a241f87d04668d94099cbb5ba11691d5ad32c2f29682e4eb5653424bd275206"};
 
 struct tf_message {
-  sequence<transform_message> transforms;
+  message_sequence<transform_message> transforms;
 };
 inline constexpr std::array tf_message_fields{
     message_field{"transforms", kind::message, offsetof(tf_message, transforms), message_field::sequence,
