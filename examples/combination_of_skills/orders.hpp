@@ -94,9 +94,17 @@ struct orders {
     supports::vector_type carrying =
         supports::vector_type::Constant(shifted || now_on == plan::at<"stand"> ? 1.0 : 0.0);
     if (raised) carrying[static_cast<int>(paw)] = 0;
-    return {amplitude, feet[0], feet[1],
-            feet[2],   feet[3], wanted_stiffness::vector_type::Constant(stiffness).eval(),
-            carrying};
+    // The aim rests while no paw reaches.
+    const std::int64_t origin =
+        reaching ? oldest_origin(step, ball, side, aim) : oldest_origin(step, ball, side);
+    return {cca::out<"amplitude", cca::over<cca::amplitude, stride>>(amplitude).with_origin(origin),
+            cca::out<"left_front", point_in_trunk>(feet[0]).with_origin(origin),
+            cca::out<"right_front", point_in_trunk>(feet[1]).with_origin(origin),
+            cca::out<"left_hind", point_in_trunk>(feet[2]).with_origin(origin),
+            cca::out<"right_hind", point_in_trunk>(feet[3]).with_origin(origin),
+            cca::out<"stiffness", wanted_stiffness>(wanted_stiffness::vector_type::Constant(stiffness))
+                .with_origin(origin),
+            cca::out<"supports", supports>(carrying).with_origin(origin)};
   }
 
   void on_start() { stiffness = p.trot.stiffness; }

@@ -3,7 +3,9 @@
 //
 // Positions are in the frame of the trunk (x forward, y left, z up, from its centre). The position of a foot
 // is the centre of its sphere.
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include <cca/motor/spaces.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
@@ -16,6 +18,15 @@ namespace oncilla = cca::robots::oncilla;  // axes and spaces of the robot
 using oncilla::trunk_frame;
 
 struct foot_frame {};
+
+// Of the inputs that have a part in a result, where others rest: what a part said before it was stopped is
+// old.
+template <class... Ports>
+std::int64_t oldest_origin(const Ports&... inputs) {
+  std::int64_t oldest = std::numeric_limits<std::int64_t>::max();
+  ((oldest = inputs.origin() == cca::never ? oldest : std::min(oldest, inputs.origin())), ...);
+  return oldest;
+}
 
 struct stride : cca::dimension<"stride"> {};  // one turn of the oscillator: one step of each leg
 struct yaw : cca::dimension<"yaw"> {};

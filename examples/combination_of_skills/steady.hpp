@@ -64,7 +64,11 @@ struct steadying {
       angles[leg] += more[1];
       angles[4 + leg] += more[2];
     }
-    return {angles, abducted};
+    // The aim rests while no paw reaches; what it says then has no part in the angles.
+    const std::int64_t origin =
+        share > 0 ? oldest_origin(legs, abduction, aim) : oldest_origin(legs, abduction);
+    return {cca::out<"angles", oncilla::leg_angles>(angles).with_origin(origin),
+            cca::out<"abducted", oncilla::abduction_angles>(abducted).with_origin(origin)};
   }
 
   void on_start() { share = 0; }

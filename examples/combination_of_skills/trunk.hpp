@@ -94,7 +94,8 @@ struct steering {
     for (int leg = 0; leg < 4; ++leg)
       angles[leg] -= oncilla::side_of(static_cast<std::size_t>(leg)) * turn[yaw{}] *
                      (command.vector()[leg] - goal.vector()[leg]);
-    return angles;
+    // The heading rests while the gait does: then its turn is old, and the command is not.
+    return cca::out<"angles", oncilla::leg_angles>(angles).with_origin(oldest_origin(goal, command));
   }
 };
 

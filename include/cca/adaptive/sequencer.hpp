@@ -10,6 +10,7 @@
 //   out "timed_out"   step_flag              1 if the step began by a timeout
 //   out "status"      component_status_port  reached in the last step, converging before
 //   starts, stops     of a plan that names parts (needs<...> in sequence.hpp): asked for in each firing
+//   origin            the beat of the decision: a part that rests has an old status, and the step is not old
 //   fault             if a condition of your own asks for a path without a publisher and does not say so
 //
 // Paths in conditions are looked up as patterns are: in the graph of the sequencer, then in those around it.
@@ -73,11 +74,13 @@ struct sequencer {
     steps.update(now, told);
     const std::int64_t period = now.index() > 0 ? now.time() / now.index() : 0;
     return detail::add_parts<Plan>(
-        steps.step(), out<"step", step_port>(steps.step()),
-        out<"running", step_time>(1e-9 * static_cast<double>(steps.beats(now) * period)),
-        out<"timed_out", step_flag>(steps.timed_out() ? 1 : 0),
+        steps.step(), out<"step", step_port>(steps.step()).with_origin(now.time()),
+        out<"running", step_time>(1e-9 * static_cast<double>(steps.beats(now) * period))
+            .with_origin(now.time()),
+        out<"timed_out", step_flag>(steps.timed_out() ? 1 : 0).with_origin(now.time()),
         out<"status", component_status_port>(
-            status_of(steps.finished() ? component_status::reached : component_status::converging)),
+            status_of(steps.finished() ? component_status::reached : component_status::converging))
+            .with_origin(now.time()),
         steps.unheard() ? fault("sequencer: a condition names a path that nobody publishes under its scope")
                         : fault());
   }
