@@ -1,4 +1,4 @@
-// Patterns between environments: what is heard there is what is heard in one loop.
+// Patterns between environments: they hear the same samples as in one loop.
 #include <doctest/doctest.h>
 
 #include <string>

@@ -1,4 +1,5 @@
-// Merged wires and delayed queues in a set of modes: what both modes have stays, what one lacks begins anew.
+// Merged wires and delayed queues in a set of modes: a queue that both modes have keeps its samples,
+// one that the other mode lacks begins empty.
 #include <doctest/doctest.h>
 
 #include <vector>

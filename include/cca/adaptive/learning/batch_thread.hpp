@@ -8,7 +8,7 @@
 // whose turn it is, so neither side reads what the other writes. A batch that was given up is computed to its
 // end, and its result is lost; only then can another one begin.
 //
-// A copy has a thread of its own, and computes anew what was under way: the same examples give the same
+// A copy has a thread of its own, which computes again what was under way: the same examples give the same
 // result. The destructor waits for the batch that is computed. Errors: cca::refused, if the system has no
 // more threads. Memory: a copy of the examples, and of a result. Cost: `ask` copies the examples, `take` the
 // result; else one atomic load. Used by training.hpp.

@@ -14,7 +14,8 @@
 
 namespace cca::detail {
 
-// So long nobody is asked whether a process is there for which this environment never waits, ns.
+// How often the other process is asked whether it still lives, although this environment never waits for it,
+// ns.
 inline constexpr std::int64_t most_trust = 10'000'000;
 
 template <class Loop, class D, int E, bool IsFree = is_free_running<D, E>>
