@@ -42,10 +42,10 @@
 
 #include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/module/three_in_a_row.hpp>
-#include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/motor/equations/attractor_ode.hpp>
+#include <cca/motor/modules/attractor_parameters.hpp>
 #include <cca/motor/hidden_markov_learning.hpp>
 #include <cca/motor/hmm_motion.hpp>
 
@@ -63,25 +63,9 @@ public:
       module_outputs<maybe<"command", S>, maybe<"velocity", velocity_of<S>>, maybe<"state", hidden_state>>;
 
   template <class Settings>
-  struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters,
-                             (bounded<double, 0.1, 1000>, stiffness),
-                             (ode_settling, settling),
-                             (Settings, settings),
-                             (learned_files, files));
-    parameters(double stiff = 25,
-               const ode_settling& settles = {1e-3, 1e-2},
-               const Settings& of_learner = {},
-               const learned_files& names = {})
-        : stiffness(stiff), settling(settles), settings(of_learner), files(names) {}
-    std::string check_at(double step) const {
-      return detail::above_rate_bound("stiffness", stiffness, 2 * detail::rate_bound(step), step);
-    }
-  };
+  using parameters = detail::attractor_parameters<Settings>;
 
-  static std::vector<learned_header::constant> constants(const auto& p) {
-    return {{"stiffness", p.stiffness}};
-  }
+  static auto constants(const auto& p) { return detail::constants_of(p); }
 
   template <class Give, class Parameters, class Teacher>
   auto step(const Give& give,
