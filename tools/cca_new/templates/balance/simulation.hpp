@@ -12,6 +12,7 @@ namespace my_robot {
 
 struct simulated : architecture<cca::sim::robot<description>> {};
 static_assert(cca::check<simulated>());  // the first mistake of the graph, in a sentence
+
 // What recordings and pages show.
 struct shown : cca::shows<body, "robot.angles"> {};
 

@@ -16,6 +16,7 @@ namespace my_robot {
 
 struct simulated : architecture<cca::sim::robot<description>> {};
 static_assert(cca::check<simulated>());  // the first mistake of the graph, in a sentence
+
 // What recordings and pages show.
 struct shown : cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.orientation"> {};
 
