@@ -11,6 +11,7 @@ import make_troubleshooting
 import reject
 import rules
 import snippets
+import version
 
 
 class Tree(unittest.TestCase):
@@ -194,6 +195,23 @@ class Snippets(Tree):
         self.write("a.cpp", self.SOURCE)
         page = self.write("README.md", "Write `<!-- from a.cpp: part -->`.\n\n<!-- from a.cpp: part -->\n\nText.\n")
         self.assertEqual(len(list(snippets.check(page, self.root, False))), 1)
+
+
+class Version(Tree):
+    def found(self, changes="# Changelog\n\n## Unreleased (1.3.0)\n\n## 1.2.0\n\n## 1.1.0\n", **files):
+        self.write(version.HEADER, "int version_major = 1;\nint version_minor = 2;\nint version_patch = 0;\n")
+        self.write("CHANGELOG.md", changes)
+        for name in ("CMakeLists.txt", "docs/a.md"):
+            self.write(name, files.get(name.partition(".")[0].replace("/", "_"), ""))
+        return list(version.problems(self.root))
+
+    def test_all(self):
+        self.assertEqual(self.found(CMakeLists="project(cca VERSION ${version})\nfind_package(cca REQUIRED)", docs_a="find_package(cca 1.2 REQUIRED)"), [])
+        self.assertEqual(len(self.found(changes="# Changelog\n\n## Unreleased (1.2.0)\n\n## 1.1.0\n")), 1)
+        self.assertEqual(len(self.found(changes="")), 1)
+        self.assertEqual(len(self.found(CMakeLists="project(cca VERSION 1.2.0)")), 1)
+        self.assertEqual(len(self.found(CMakeLists="find_package(cca 1.2 REQUIRED)")), 1)
+        self.assertEqual(len(self.found(docs_a="find_package(cca 1.1 REQUIRED)")), 1)
 
 
 class Rules(Tree):
