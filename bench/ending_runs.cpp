@@ -1,5 +1,5 @@
-// Do the drives get their frames while a run ends? A pendulum on a virtual drive that lives at wall-clock
-// speed; many orderly ends, by a function between two beats as ctrl-C is; the longest time between two
+// Do the drives get their frames while a run ends? A pendulum on a virtual drive that lives in a wall-clock
+// run; many orderly ends, by a function between two beats as ctrl-C is; the longest time between two
 // batches of frames from the call of run() until it has returned, in periods. Beside it a bare
 // clock_nanosleep loop of the same period says what the machine adds.
 //
@@ -49,7 +49,7 @@ using clock_ns = cca::detail::monotonic_clock;
 
 constexpr std::int64_t ms = 1'000'000;
 
-// ---- the drive, at wall-clock speed ----
+// ---- the drive, in a wall-clock run ----
 
 struct drive_side {
   wire bus{};

@@ -313,7 +313,7 @@ How to read the figures:
 
 - Between environments the architecture is the same for all transports; only the deployment differs.
   All its wires are `delayed<1>`: what the driver publishes in an even beat is reflected in the odd one behind it, and read in the next even one.
-  So a round trip is two beats, run as fast as possible: the environments wait for each other, and each way is one hand-over.
+  So a round trip is two beats of a fast run: the environments wait for each other, and each way is one hand-over.
   Raw does the same number of hand-overs: one there, one back.
 - The time goes from one reading of the clock by the driver to the next, two beats later: it publishes, two messages cross, it checks the first and the last number of each.
   With several reflectors it ends when the last one has answered.
@@ -350,7 +350,7 @@ def realtime(part):
              f"**{data[state]['p99_ratio']:.2f}**", f"{data[state]['cca']['count']:,}"] for state in data]
     return f"""## Wake-ups in real time
 
-An environment with `cca::realtime<80, cca::on_core<N>>` runs at 1 kHz at wall-clock speed (`bench/realtime.cpp`), and cyclictest of the same priority and period on the other core, in one run.
+An environment with `cca::realtime<80, cca::on_core<N>>` makes wall-clock runs at 1 kHz (`bench/realtime.cpp`), and cyclictest of the same priority and period on the other core, in one run.
 They change places in each round.
 Under load, each core also has a process that computes without end.
 `cmake --build --preset bench --target realtime` measures this part as root, or with the rights that [real time](real_time.md) needs, and writes `build/bench/out/realtime.json`.

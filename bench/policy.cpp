@@ -1,8 +1,10 @@
 // A learned policy in a graph, beside the bare products of its matrices.
 //
-//   policy check                 compares a network with the same arithmetic by hand; exits with 1 if they
-//   differ policy list                  the names of the networks policy NAME policy|products|by_hand BEATS
-//   runs one form (under callgrind) policy NAME allocations      the allocations of 1000 beats of the policy
+//   policy check                                 compares a network with the same arithmetic by hand; exits
+//                                                with 1 if they differ
+//   policy list                                  the names of the networks
+//   policy NAME policy|products|by_hand BEATS    runs one form (under callgrind)
+//   policy NAME allocations                      the allocations of 1000 beats of the policy
 //
 // `products`: y = W x + b for each layer, and nothing else. `by_hand`: the same with activations, scales and
 // limits, on Eigen vectors. `policy`: a whole beat of a graph with the sources of its observations.

@@ -35,7 +35,7 @@ struct simulated : skills::simulated,
 struct program : cca::robot_program<simulated> {
   program() {
     purpose = "a simulated Oncilla trots, stops, reaches for a ball and trots on";
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 
   void options(cca::command_line& line) override {

@@ -82,7 +82,7 @@ struct simulated_stage {
   void step() { controller.step(); }
 };
 
-// A whole run, as fast as possible. Calls between(controller) after each beat, and ends if it returns false.
+// A whole fast run. Calls between(controller) after each beat, and ends if it returns false.
 template <class Stage, class Between>
 result act(Stage& stage, const circumstances& c, Between between) {
   noted_run run(c);

@@ -21,7 +21,7 @@ struct program : cca::robot_program<split> {
   program() {
     purpose = "a leg and its thoughts, on one machine or on two, over Cyclone DDS";
     settings.seconds = 0.3;
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 
   // [transport]

@@ -64,8 +64,8 @@ inline outcome run_loop(const settings& s, const cca::interruption& interrupted)
 // Nothing was late so far, so all results are those of the loop.
 inline bool is_exact(const cca::deployed<split>& d) { return d.late() == 0 && d.lost_periods() == 0; }
 
-// All beats of the loop, in whichever processes the environments are. As fast as possible it looks at the
-// signals from time to time, at wall-clock speed after each beat.
+// All beats of the loop, in whichever processes the environments are. In a fast run it looks at the
+// signals from time to time, in a wall-clock run after each beat.
 template <class Pace>
 outcome run_deployed(std::string_view form,
                      cca::deployed<split>& d,

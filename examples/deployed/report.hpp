@@ -15,7 +15,7 @@ struct compared_form {
   outcome what;
   record::comparison with_loop;
 
-  // At wall-clock speed only the beats count before the first sample that was late: from then on the results
+  // In a wall-clock run only the beats count before the first sample that was late: from then on the results
   // may differ.
   compared_form(outcome one, const outcome& loop)
       : what(std::move(one)), with_loop(loop.seen.compare(what.seen, what.exact_beats)) {}

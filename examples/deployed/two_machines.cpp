@@ -4,7 +4,7 @@
 //   deployed_two_machines --machine robot --own 192.168.1.10 --other 192.168.1.11
 //   deployed_two_machines --machine mind  --own 192.168.1.11 --other 192.168.1.10
 //
-// As fast as possible the robot's side compares all samples with those of one loop. With --pace it keeps a
+// In a fast run the robot's side compares all samples with those of one loop. With --pace it keeps a
 // clock: then it stops when it has heard nothing for too long, and goes on when it reads a line.
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ struct options {
     line.flag("--loses", loses, "the network loses a message in a hundred or more");
     line.whole_number("--beats N", run.most_beats, 1, "the same on both (1000)");
     line.number("--pace S", pace, 0.001, 1,
-                "of the robot's machine: keeps a clock, 1 is wall-clock speed\n(as fast as possible)");
+                "of the robot's machine: keeps a clock, 1 is the wall clock's\n(a fast run)");
     line.text("--shape FILE", run.shape, "the learned shape of the trot (trot.shape)");
   }
   cca::dds::network network() const {
@@ -96,7 +96,7 @@ int compare_with_one_loop(const options& o, cca::deployed<on_two_machines>& d) {
 // When things happen, on a clock that all processes of a machine share.
 double now() { return 1e-9 * static_cast<double>(cca::detail::monotonic_clock::now()); }
 
-// On a clock. Each lost contact stops the robot; a line of the standard input tells it to go on.
+// In a wall-clock run. Each lost contact stops the robot; a line of the standard input tells it to go on.
 int run_on_clock(const options& o, cca::deployed<on_two_machines>& d, const cca::interruption& interrupted) {
   // [go on]
   while (d.beat_index() < o.run.most_beats && !interrupted) {
@@ -119,7 +119,7 @@ int run_on_clock(const options& o, cca::deployed<on_two_machines>& d, const cca:
 }
 
 int run_robot(const options& o, cca::deployed<on_two_machines>& d, const cca::interruption& interrupted) {
-  // As fast as possible: it touches all memory, so that the first beats by the clock are as short as others.
+  // A fast run: it touches all memory, so that the first beats by the clock are as short as others.
   d.run(cca::for_some_beats{std::min(warm_up, o.run.most_beats)}, {}, interrupted);
   std::printf("at %.3f s: both run, %lld beats are done\n", now(), static_cast<long long>(d.beat_index()));
   std::fflush(stdout);

@@ -7,8 +7,8 @@
 
 #include "thoughtful_leg.hpp"
 
-// `angles` are those of the leg after each beat. Prints the result and returns the exit code. At wall-clock
-// speed samples may be late; then the leg is another one.
+// `angles` are those of the leg after each beat. Prints the result and returns the exit code. In a wall-clock
+// run samples may be late; then the leg is another one.
 inline int compare_with_one_loop(const std::vector<double>& angles, const cca::deployed<split>& d) {
   std::vector<double> expected;
   cca::controller<thoughtful_leg> one_loop;

@@ -73,14 +73,14 @@ struct program : cca::robot_program<split> {
     const auto exact = play(fast, cca::as_fast_as_possible{});
     // [program end]
 
-    tell("one loop, at wall-clock speed:", expected.size(), expected.size(), 0, one_loop.overruns(),
+    tell("one loop, wall-clock run:", expected.size(), expected.size(), 0, one_loop.overruns(),
          one_loop.lost_periods());
-    tell("deployed, as fast as possible:", count_equal(expected, exact), exact.size(), fast.late(),
-         fast.overruns(), fast.lost_periods());
-    tell(settings.speed == 1 ? "deployed, at wall-clock speed:" : "deployed, at the pace given:",
+    tell("deployed, fast run:", count_equal(expected, exact), exact.size(), fast.late(), fast.overruns(),
+         fast.lost_periods());
+    tell(settings.speed == 1 ? "deployed, wall-clock run:" : "deployed, at the pace given:",
          count_equal(expected, timely), timely.size(), live.late(), live.overruns(), live.lost_periods());
 
-    // As fast as possible nothing can be late. At wall-clock speed that depends on the machine; but if
+    // In a fast run nothing can be late. In a wall-clock run that depends on the machine; but if
     // nothing was, the results are the same.
     const bool was_in_time = live.late() == 0 && live.lost_periods() == 0 && !live.fault();
     return exact == expected && (!was_in_time || timely == expected) ? 0 : 1;

@@ -23,7 +23,7 @@ struct program : cca::robot_program<split> {
   program() {
     purpose = "a leg and its thoughts, in two threads or two processes";
     settings.seconds = 0.3;
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 
   bool between(controller_type& c) override {

@@ -32,7 +32,7 @@ struct on_drives : hil::skills_on_drives,
 struct program : cca::robot_program<on_drives> {
   program() {
     purpose = "a simulated Oncilla on virtual drives trots, stops, reaches for a ball and trots on";
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 
   void options(cca::command_line& line) override { o.offer(line, settings); }

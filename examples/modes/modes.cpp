@@ -79,7 +79,7 @@ struct program : cca::robot_program<legs> {  // begins in the first mode
   program() {
     purpose = "a leg that walks, and stands when its foot loses the ground";
     settings.seconds = 1.6;
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 
   bool between(controller_type& c) override {

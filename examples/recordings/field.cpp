@@ -13,7 +13,7 @@ struct program : cca::robot_program<leg_loop<difference>> {
   program() {
     purpose = "a leg that swings, until a guard stops it";
     settings.seconds = 2;
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 };
 

@@ -64,7 +64,7 @@ recording begin(Controller& controller,
   return begin(controller, controller.template get<"gait">().p, ground, disturbance, seconds, model);
 }
 
-// Starts the controller and steps as fast as possible, until the time is over, the robot falls, or
+// Starts the controller and steps without a clock until the time is over, the robot falls, or
 // between(world, part of the run), called after each beat, returns false.
 template <class Controller, class Between>
 recording walked(Controller& controller, recording run, double seconds, Between between) {

@@ -65,7 +65,7 @@ struct program : cca::robot_program<simulated_trot> {
   program() : bar("trot") {
     purpose = "a simulated Oncilla trots";
     settings.seconds = 20;
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 
   void options(cca::command_line& line) override { o.offer(line, settings); }

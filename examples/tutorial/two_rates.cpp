@@ -12,7 +12,7 @@
 struct program : cca::robot_program<swinging_leg> {
   program() {
     settings.seconds = 2;
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
   }
 
   bool between(controller_type& c) override {

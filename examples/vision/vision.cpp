@@ -2,8 +2,8 @@
 // ball on it, and begins anew, as fast as it can: a millisecond where the ball was near, ten where it was
 // lost.
 //
-//   vision                                   at wall-clock speed: the eye runs freely
-//   vision --pace fast                       as fast as possible: an image in each beat, as in one loop
+//   vision                                   in a wall-clock run: the eye runs freely
+//   vision --pace fast                       in a fast run: an image in each beat, as in one loop
 //   vision --record v.mcap, --replay v.mcap  the same bits again, without an eye
 //
 // Page: docs/vision.md.

@@ -36,7 +36,7 @@ struct program : cca::robot_program<simulated_walk> {
   program() {
     purpose = "a simulated Oncilla walks by a learned policy";
     settings.seconds = 20;
-    settings.speed.reset();  // as fast as possible
+    settings.speed.reset();  // a fast run
     o.seed = 1000;           // no seed of the training
   }
 

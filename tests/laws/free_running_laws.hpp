@@ -21,7 +21,7 @@ using transport_laws::milestone;
 using transport_laws::opened;
 using transport_laws::state_of;
 
-// At wall-clock speed the robot and the mind wait longer for each other than any test lasts.
+// In a wall-clock run the robot and the mind wait longer for each other than any test lasts.
 struct patient_eyes
     : cca::deployment<seeing,
                       cca::environment<"robot", cca::nodes<"device", "reflex">>,

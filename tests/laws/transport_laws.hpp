@@ -97,7 +97,7 @@ void has_the_bits_of_one_loop() {
   CHECK_EQ(mind.said(), story(other, tell_mind));
 }
 
-// Also at wall-clock speed, as long as nothing is late. On a busy machine it tries again, and slower.
+// Also in a wall-clock run, as long as nothing is late. On a busy machine it tries again, and slower.
 template <class Meeting>
 void has_the_same_bits_at_wall_clock_speed() {
   cca::controller<architecture> c;
@@ -193,7 +193,7 @@ void loses_contact_with_the_killed() {
   }
 }
 
-// At wall-clock speed a fault in a follower stops every resource node, in whichever process, within two
+// In a wall-clock run a fault in a follower stops every resource node, in whichever process, within two
 // beats.
 template <class Meeting>
 void stops_all_within_two_beats_of_a_fault() {

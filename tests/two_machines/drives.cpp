@@ -38,7 +38,7 @@ struct time_of_drives {
   }
 };
 
-// The same on a clock.
+// The same in a wall-clock run.
 class clock_of_drives : public cca::at_speed {
 public:
   clock_of_drives(hil::memory_buses& drives, double& newest) : at_speed(slowly), far(drives), begun(newest) {}

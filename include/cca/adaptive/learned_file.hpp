@@ -1,12 +1,13 @@
 // What a module has learned, as text. It needs no library to read, and each number comes back bit for bit.
 //
-//   cca learned 1                                         version of the format
+//   cca learned 1                          version of the format
 //   model rhythmic_shape over hip, knee with 25 functions
 //   learner locally_weighted_regression
-//   constant stiffness 25                                 a value that must be the same as during learning
-//   input angles: joint_angles at 50 Hz                   of a policy: a port that it was made for
-//   (policy.hpp) numbers function.weights 50 0.1 0.2 ...                                           ten per
-//   line checksum 0f3a...                                      of everything above: FNV-1a, 64 bits
+//   constant stiffness 25                  a value that must be the same as during learning
+//   input angles: joint_angles at 50 Hz    of a policy: a port that it was made for (policy.hpp)
+//   numbers function.weights 50
+//   0.1 0.2 ...                            ten per line
+//   checksum 0f3a...                       of everything above: FNV-1a, 64 bits
 //
 // Refused, with file, line, what was found and what was expected: another version, a damaged text, another
 // model, learner or constant, text that is no finite number. All or nothing: the values are read into a copy.

@@ -25,13 +25,13 @@ struct other_nodes {};
 template <fixed_string Name, class Nodes, class... Options>
 struct environment {};
 
-// An option: the environment holds components that compute as fast as they can, all of them `full_speed`. At
-// wall-clock speed a cycle of it begins as soon as the last one has ended, on the newest samples that have
-// come, and what it publishes arrives when the next beat begins. As fast as possible, and in one loop, its
+// An option: the environment holds components that compute as fast as they can, all of them `full_speed`. In
+// a wall-clock run a cycle of it begins as soon as the last one has ended, on the newest samples that have
+// come, and what it publishes arrives when the next beat begins. In a fast run, and in one loop, its
 // components fire in every beat. Its wires need no `delayed`.
 struct free_running {};
 
-// At wall-clock speed: how many beats in a row a sample may come late; with more, the contact is lost.
+// In a wall-clock run: how many beats in a row a sample may come late; with more, the contact is lost.
 template <int Beats>
 struct tolerate {};
 

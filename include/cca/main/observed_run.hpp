@@ -71,7 +71,7 @@ class observed_run {
                         can_trace = detail::can_trace<Controller>;
 
 public:
-  // `waits`: nothing is on a clock, so the loop may wait for the files.
+  // `waits`: it is a fast run, so the loop may wait for the files.
   observed_run(
       Controller& controller, run_files files, std::string name, bool waits, opening when = opening::at_once)
       : of(&controller), named(std::move(files)), called(std::move(name)), may_wait(waits) {

@@ -39,7 +39,7 @@ namespace cca {
 // How a program runs its robot. A program sets its defaults, the command line has the last word.
 struct run_settings {
   std::optional<double> seconds{};             // of virtual time; none: until a signal
-  std::optional<double> speed = 1;             // times the wall clock; none: as fast as possible
+  std::optional<double> speed = 1;             // times the wall clock; none: a fast run
   std::vector<std::string> configs{};          // files with parameters, in this order
   std::vector<std::string> only{};             // the environments of this process; none: all
   bool quiet = false;                          // prints no figures

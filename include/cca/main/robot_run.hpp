@@ -204,7 +204,7 @@ private:
       return {one};
     }
   }
-  // Counted in runs on a clock only.
+  // Counted in wall-clock runs only.
   static void print_figures(const std::vector<environment_figures>& all) {
     std::int64_t beats = 0;
     for (const auto& each : all) beats += each.beat.count();

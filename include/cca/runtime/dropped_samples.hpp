@@ -1,8 +1,8 @@
 // What the queues of a controller or a deployment have lost because they were full, between two beats.
 //
-//   c.dropped<"log.x">()   by the queue at this input, of `queue` or `merged`, since there is one; 0: it has
-//   none c.dropped("log.x")     the same by a path that is known only at run time c.dropped()            by
-//   all queues
+//   c.dropped<"log.x">()   by the queue at this input, of `queue` or `merged`, since it was made; 0: no queue
+//   c.dropped("log.x")     the same by a path that is known only at run time
+//   c.dropped()            by all queues
 //
 // An input says the same of itself: `x.dropped()`. A program prints it in its summary (main/end_of_run.hpp).
 // Errors: cca::refused, if there is no such input, or another process runs its component.

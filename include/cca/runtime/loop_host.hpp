@@ -54,7 +54,7 @@ public:
     return now;
   }
 
-  // In the runs at wall-clock speed since start(): the beats that were still running when the next should
+  // In the wall-clock runs since start(): the beats that were still running when the next should
   // begin, and the periods in which no beat began.
   std::int64_t overruns() const noexcept { return runs.overruns; }
   std::int64_t lost_periods() const noexcept { return runs.lost_periods; }

@@ -136,8 +136,9 @@ private:
 
 }  // namespace detail
 
-// Virtual time passes `factor` times as fast as the wall clock: 1 real time, 0.1 ten times slower, 2 twice as
-// fast. Wakes at absolute times, so a beat that begins a little late does not shift those after it.
+// A wall-clock run. Virtual time passes `factor` times as fast as the wall clock: 1 real time, 0.1 ten times
+// slower, 2 twice as fast. Wakes at absolute times, so a beat that begins a little late does not shift those
+// after it.
 class at_speed : public detail::clocked_pace<detail::monotonic_clock> {
 public:
   explicit at_speed(double factor) : clocked_pace(factor) {}

@@ -1,4 +1,4 @@
-// What a controller keeps of its runs at wall-clock speed, how others pause a run and change its speed, and
+// What a controller keeps of its wall-clock runs, how others pause a run and change its speed, and
 // what it does however a run ends.
 #pragma once
 
@@ -86,7 +86,7 @@ public:
   }
   // The loop has paused; a beat that was running has ended.
   bool is_paused() const noexcept { return holds.load(std::memory_order_acquire); }
-  // As fast as possible there is no clock whose speed could be changed.
+  // In a fast run there is no clock whose speed could be changed.
   bool has_refused_speed() const noexcept { return refuses_speed.load(std::memory_order_acquire); }
 
   // ---- the loop's, between two beats ----

@@ -156,9 +156,9 @@ int part_named(std::string_view path) {
 
 // `Self` has, beside what component_host.hpp asks of it:
 //
-//   for_each_part_state(part, f)       f.template operator()<Loop>(state, next beat) for each loop that has
-//   it check_part(call, part)             refuses what can't be stopped or started now tell_part(part, stops)
-//   to a recorder
+//   for_each_part_state(part, f)   f.template operator()<Loop>(state, next beat) for each loop that has it
+//   check_part(call, part)         refuses what can't be stopped or started now
+//   tell_part(part, stops)         to a recorder
 template <class Self, class Graph>
 class stoppable_parts {
 public:

@@ -35,7 +35,7 @@ namespace cca {
 struct trace_settings {
   std::string name{};                     // of the program; empty: that of the graph
   std::size_t buffered_events = 1 << 16;  // of each environment, at least: 2 MB
-  bool waits = false;                     // the loop may wait for the file: nothing is on a clock
+  bool waits = false;                     // the loop may wait for the file: it is a fast run
 };
 
 template <class D>

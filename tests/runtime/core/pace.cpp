@@ -1,4 +1,4 @@
-// Beats at wall-clock speed, on a clock that the tests move: overruns are counted and never caught up.
+// Beats in a wall-clock run, on a clock that the tests move: overruns are counted and never caught up.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -242,7 +242,7 @@ flowchart LR
     c.load();                 // created -> loaded: parameters
     c.start();                // loaded -> started
     c.step();                 // one beat
-    c.run(cca::for_<0.5>{});  // half a second of virtual time, as fast as possible
+    c.run(cca::for_<0.5>{});  // half a second of virtual time, in a fast run
     c.run(cca::for_beats<4>{}, cca::at_wall_clock(), [](auto& running) {
       if (running.beat_index() == 52) running.template get<"camera">().frames = 0;  // between two beats
     });

@@ -1,7 +1,7 @@
 // The gait of the trot on drives is a process of its own. One of the two is killed in the middle of a trot,
-// over each transport. Without the gait the robot's side stops the drives in order, also on a clock. Without
-// the robot's side the gait ends; the drives stop by their own watchdogs (docs/hardware.md), which the fault
-// campaign tests.
+// over each transport. Without the gait the robot's side stops the drives in order, also in a wall-clock run.
+// Without the robot's side the gait ends; the drives stop by their own watchdogs (docs/hardware.md), which
+// the fault campaign tests.
 #include <doctest/doctest.h>
 
 #include <signal.h>
@@ -31,7 +31,8 @@ struct time_of_drives {
   }
 };
 
-// The same on a clock. It is slow, so that a busy machine makes nothing late before the gait is killed.
+// The same in a wall-clock run. It is slow, so that a busy machine makes nothing late before the gait is
+// killed.
 class clock_of_drives : public cca::at_speed {
 public:
   explicit clock_of_drives(hil::memory_buses& drives) : at_speed(0.02), far(drives) {}
@@ -49,7 +50,7 @@ bool is_driven(const hil::memory_buses& far) {
 }
 
 constexpr std::int64_t middle = 1500;
-constexpr std::int64_t begin_of_clock = middle - 20;  // before, as fast as possible
+constexpr std::int64_t begin_of_clock = middle - 20;  // before, in a fast run
 constexpr std::int64_t tolerated = 3;                 // late beats
 
 // What the robot's side says at its end. Before: it trots. After: within 2 ms no drive holds a position any
@@ -154,7 +155,7 @@ TEST_SUITE("a trot whose gait or robot is killed") {
     CHECK_EQ(trot_with_killed_gait([name = over_dds::other_name()] { return over_dds::transport(name); }),
              expected);
   }
-  TEST_CASE("the gait, on a clock: the drives are safe within two beats more than are tolerated") {
+  TEST_CASE("the gait, in a wall-clock run: the drives are safe within two beats more than are tolerated") {
     CHECK_EQ(trot_with_killed_gait([name = memory_name()] { return cca::shared_memory(name); }, true),
              expected);
     CHECK_EQ(

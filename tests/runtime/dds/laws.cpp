@@ -36,7 +36,7 @@ TEST_SUITE("deployed over dds") {
     transport_laws::refuses_whom_it_must<over_dds>();
   }
 
-  TEST_CASE("free-running: the bits of one loop, results at wall-clock speed, lost contact with the killed") {
+  TEST_CASE("free-running: the bits of one loop, results in a wall-clock run, lost contact with the killed") {
     free_running_laws::has_the_bits_of_one_loop<over_dds>();
     free_running_laws::runs_freely_at_wall_clock_speed<over_dds>();
     free_running_laws::loses_contact_with_the_killed<over_dds>();

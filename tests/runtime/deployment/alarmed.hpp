@@ -1,5 +1,5 @@
-// Two resource nodes in environments of their own, and a component in a third that faults. At wall-clock
-// speed, slowed down, so that a busy machine changes nothing: how long after that `on_fault` runs.
+// Two resource nodes in environments of their own, and a component in a third that faults. In a wall-clock
+// run, slowed down, so that a busy machine changes nothing: how long after that `on_fault` runs.
 #pragma once
 
 #include <cstdint>

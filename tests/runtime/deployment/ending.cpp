@@ -162,7 +162,7 @@ TEST_SUITE("ending a run") {
     CHECK_FALSE(d.get<"mind">().has_given_up);
   }
 
-  TEST_CASE("as fast as possible, where the others hang at the end") {
+  TEST_CASE("in a fast run, where the others hang at the end") {
     cca::deployed<robot_first<3>> d;
     begin(d, 20);
     CHECK_EQ(d.run(cca::for_beats<21>{}), cca::state::started);

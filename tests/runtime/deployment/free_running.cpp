@@ -1,4 +1,4 @@
-// Free-running environments: as fast as possible they change no bit; at wall-clock speed their cycles follow
+// Free-running environments: in a fast run they change no bit; in a wall-clock run their cycles follow
 // one another, and nobody waits for them.
 #include <doctest/doctest.h>
 
@@ -78,7 +78,7 @@ static_assert(cca::diagnosis<cca::deployment<seeing, cca::environment<"robot", c
               "deployment.free_running");
 
 TEST_SUITE("deployed free-running") {
-  TEST_CASE("as fast as possible all is as in one loop: runs, steps, what is seen between two beats") {
+  TEST_CASE("in a fast run all is as in one loop: runs, steps, what is seen between two beats") {
     const auto plays = [](auto& c, auto tell) {
       c.load();
       c.start();
@@ -103,7 +103,7 @@ TEST_SUITE("deployed free-running") {
     check_same<two_free>(plays);
   }
 
-  TEST_CASE("as fast as possible a fault ends the beat where it ends the one loop, on either side") {
+  TEST_CASE("in a fast run a fault ends the beat where it ends the one loop, on either side") {
     const auto plays = [](auto& c, auto tell) {
       c.load();
       c.template set<"eyes">({0.0045, 0.5});
@@ -128,7 +128,7 @@ TEST_SUITE("deployed free-running") {
     check_same<two_free>(plays);
   }
 
-  TEST_CASE("at wall-clock speed cycles follow one another without pause, in beats that never go back") {
+  TEST_CASE("in a wall-clock run cycles follow one another without pause, in beats that never go back") {
     const cycles_of none(0);
     cca::deployed<with_eyes> d;
     d.load();
@@ -178,7 +178,7 @@ TEST_SUITE("deployed free-running") {
     // On a busy machine a run may end before a cycle has begun.
     CHECK_GT(d.get<"eyes">().cycles, 3);
     CHECK_GT(d.get<"reflex">().seen, d.get<"eyes">().cycles / 2);
-    // As fast as possible what has not arrived never does: the eyes see anew in each beat.
+    // In a fast run what has not arrived never does: the eyes see anew in each beat.
     cycle_in_us = 0;
     const std::int64_t cycles = d.get<"eyes">().cycles, seen = d.get<"reflex">().seen;
     d.run(cca::for_beats<50>{});

@@ -14,7 +14,7 @@
 
 namespace deployment_test {
 
-// How long a cycle takes, and since when; for tests at wall-clock speed.
+// How long a cycle takes, and since when; for tests in a wall-clock run.
 inline std::atomic<std::int64_t> cycle_in_us{0};
 inline std::atomic<bool> cycle_hangs{false};
 inline std::atomic<std::int64_t> cycles_begun{0};

@@ -1,4 +1,4 @@
-// How far environments may be apart as fast as possible, and who sees it from samples alone.
+// How far environments may be apart in a fast run, and who sees it from samples alone.
 #include <doctest/doctest.h>
 
 #include <cca/deployment.hpp>

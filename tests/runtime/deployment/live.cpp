@@ -58,8 +58,8 @@ struct started_one : played {
 };
 
 void both_paces(auto test) {
-  SUBCASE("as fast as possible") { test(cca::as_fast_as_possible{}); }
-  SUBCASE("on a clock") { test(cca::at_speed(5)); }
+  SUBCASE("in a fast run") { test(cca::as_fast_as_possible{}); }
+  SUBCASE("in a wall-clock run") { test(cca::at_speed(5)); }
 }
 
 }  // namespace
@@ -124,7 +124,8 @@ TEST_SUITE("live access to a deployment") {
             if (!seen) continue;
             CHECK_EQ(seen->values.size(), 2);
             CHECK_EQ(seen->values[0], seen->values[1]);
-            // On a clock an input may be late: before its first sample an output is as old as its beat.
+            // In a wall-clock run an input may be late: before its first sample an output is as old as its
+            // beat.
             if (is_exact || path == std::string_view("robot.y")) CHECK_GE(seen->origin, last);
             last = seen->origin;
           }

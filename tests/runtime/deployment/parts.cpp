@@ -1,5 +1,5 @@
 // Parts that stop and start where their components, and those that stop them, run in different environments:
-// as fast as possible the bits are those of one loop.
+// in a fast run the bits are those of one loop.
 #include <doctest/doctest.h>
 
 #include <string>

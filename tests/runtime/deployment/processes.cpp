@@ -96,7 +96,7 @@ TEST_SUITE("deployed in processes") {
     transport_laws::refuses_whom_it_must<over_shared_memory>();
   }
 
-  TEST_CASE("free-running: the bits of one loop, results at wall-clock speed, lost contact with the killed") {
+  TEST_CASE("free-running: the bits of one loop, results in a wall-clock run, lost contact with the killed") {
     free_running_laws::has_the_bits_of_one_loop<over_shared_memory>();
     free_running_laws::runs_freely_at_wall_clock_speed<over_shared_memory>();
     free_running_laws::loses_contact_with_the_killed<over_shared_memory>();

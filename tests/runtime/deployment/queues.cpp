@@ -152,7 +152,7 @@ struct cut : cca::graph<cca::rate<1000>,
                         cca::wire<"after.y", "s.x", cca::delayed<2>>> {};
 struct cut_apart : cca::deployment<cut, some<"one", "before", "fault">, some<"two", "after">, rest> {};
 
-// ---- at wall-clock speed ----
+// ---- in a wall-clock run ----
 
 // Stands still in this beat.
 template <int Beat, int Milliseconds>
@@ -223,7 +223,7 @@ TEST_SUITE("queues") {
     }
   }
 
-  TEST_CASE("at wall-clock speed a reader that stands still loses what its queue loses, not more") {
+  TEST_CASE("in a wall-clock run a reader that stands still loses what its queue loses, not more") {
     cca::deployed<held_up_apart> d;
     d.load();
     d.start();

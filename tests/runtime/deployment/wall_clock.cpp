@@ -1,4 +1,4 @@
-// At wall-clock speed an environment never waits for a sample: late ones are counted, and lost contact is a
+// In a wall-clock run an environment never waits for a sample: late ones are counted, and lost contact is a
 // fault. What is asserted holds on a machine that is as slow as it likes.
 #include <doctest/doctest.h>
 
@@ -52,7 +52,7 @@ void begin(cca::deployed<D>& d) {
 
 }  // namespace
 
-TEST_SUITE("deployed at wall-clock speed") {
+TEST_SUITE("deployed in a wall-clock run") {
   TEST_CASE("all environments do the same number of beats, and nothing fails") {
     cca::deployed<patient> d;
     begin(d);
@@ -62,7 +62,7 @@ TEST_SUITE("deployed at wall-clock speed") {
     CHECK_EQ(d.beat_index(), 500);
     CHECK_EQ(d.get<"device">().senses, 500);  // the first environment loses periods, never a beat
     CHECK(std::isfinite(d.get<"device">().command));
-    d.run(cca::for_beats<100>{});  // as fast as possible from there on
+    d.run(cca::for_beats<100>{});  // in a fast run from there on
     CHECK_EQ(d.beat_index(), 600);
   }
 

@@ -62,7 +62,7 @@ struct ear {
     for (const auto& one : all) total += one.values[0];
   }
 };
-// Others wait for it, as fast as possible.
+// Others wait for it, in a fast run.
 struct watch {
   auto process(cca::in<"x", plane> x) -> cca::fault {
     return x[cca::x{}] < -1 ? cca::fault("below") : cca::fault();
@@ -148,7 +148,7 @@ TEST_SUITE("no allocation") {
     check_processes(cca::at_speed(0.5), [&] { return cca::shared_memory(name); });
   }
   TEST_CASE("beats of environments over DDS") {
-    // As fast as possible the threads of the environments send and receive themselves, and Cyclone allocates.
+    // In a fast run the threads of the environments send and receive themselves, and Cyclone allocates.
     const std::string name = over_dds::other_name();
     check_processes(cca::at_speed(0.5), [&] { return over_dds::transport(name); });
   }

@@ -132,7 +132,7 @@ TEST_SUITE("robot_main") {
     CHECK_EQ(run<Program>({"--config", "/no/such/file"}).code(), 2);
   }
 
-  TEST_CASE_TEMPLATE("a table at wall-clock speed, none when quiet or fast", Program, one_loop, two_loops) {
+  TEST_CASE_TEMPLATE("a table in a wall-clock run, none when quiet or fast", Program, one_loop, two_loops) {
     child one = run<Program>({"--seconds", "0.1", "--pace", "wall-clock"});
     CHECK_EQ(one.code(), 42);
     CHECK(one.out.find("wake-up [us]") != std::string::npos);

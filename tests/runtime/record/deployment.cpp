@@ -201,7 +201,7 @@ TEST_CASE("the file says which environments are in it") {
   CHECK(is_told);
 }
 
-TEST_CASE("at wall-clock speed, late samples and beats that were left out are in the file") {
+TEST_CASE("in a wall-clock run, late samples and beats that were left out are in the file") {
   const temporary_file file("late");
   std::int64_t late = 0, lost = 0;
   {

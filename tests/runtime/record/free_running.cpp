@@ -25,7 +25,7 @@ using mind = cca::environment<"mind", cca::other_nodes>;
 
 struct seen : cca::deployment<seeing, robot, sight, mind, cca::tolerate<100000>>, cca::recordable {};
 
-// The camera stands beside the beat, too: what only the eyes read is not recorded on a clock.
+// The camera stands beside the beat, too: what only the eyes read is not recorded in a wall-clock run.
 struct camera {
   double frames = 0;
   auto sense(cca::beat) -> cca::out<"image", state> {
@@ -98,7 +98,7 @@ TEST_SUITE("recording of what runs freely") {
     }
   }
 
-  TEST_CASE("until it runs on a clock it is computed, and compared; from then on it is played") {
+  TEST_CASE("until the first wall-clock run it is computed, and compared; from then on it is played") {
     const auto result = recorded<seen>([](auto& d, auto pace) {
       const cycles_of these(2'000);
       cycle_in_us = 0;

@@ -26,7 +26,7 @@ template <class D,
           class Free = cca::detail::free_environments<D>>
 class replicated_exchange;
 
-// Of a free-running environment two more things are sent, at wall-clock speed: the results of its cycles, to
+// Of a free-running environment two more things are sent, in a wall-clock run: the results of its cycles, to
 // the first environment, and the samples that have arrived there, from the first environment to the others.
 template <class D, int... Output, int... FreeOutput, int... Free>
 class replicated_exchange<D,

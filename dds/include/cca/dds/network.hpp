@@ -1,7 +1,7 @@
 // How a process reaches others over DDS.
 //
-//   cca::dds::domain(7)                                                     as CYCLONEDDS_URI says, else this
-//   machine cca::dds::domain(7, cca::dds::network::between("192.168.1.10", {"192.168.1.11"}))
+//   cca::dds::domain(7)   // as CYCLONEDDS_URI says, else this machine
+//   cca::dds::domain(7, cca::dds::network::between("192.168.1.10", {"192.168.1.11"}))
 //   cca::dds::domain(7, cca::dds::network::between("192.168.1.10", {"192.168.1.11"}).that_loses())
 //
 // `between(own, others)`: over the interface with this address, to these machines, without multicast. It is

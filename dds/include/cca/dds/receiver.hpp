@@ -213,7 +213,7 @@ private:
     for (auto& other : environments)
       if (other->holder == e.holder) {
         peers[other->number].has_left.store(true, std::memory_order_release);
-        numbers.forget(other->number);  // so its samples are late at wall-clock speed, too
+        numbers.forget(other->number);  // so its samples are late in a wall-clock run, too
       }
   }
 

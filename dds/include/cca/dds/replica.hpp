@@ -1,5 +1,5 @@
 // The transport of one process: it looks for the other processes, then a thread sends and a thread receives.
-// Where one environment runs here, its own thread does the work of both as fast as possible.
+// Where one environment runs here, its own thread does the work of both in a fast run.
 #pragma once
 
 #include <atomic>

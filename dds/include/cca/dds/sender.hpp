@@ -1,5 +1,5 @@
 // Sends what the environments of this process publish, in a thread of its own: a beat only writes its
-// numbers. As fast as possible the only environment of a process sends itself, between two beats.
+// numbers. In a fast run the only environment of a process sends itself, between two beats.
 //
 // It sleeps until an environment rings: when a beat begins and when it is done. Every millisecond it looks at
 // what changes between runs. A status goes out after the samples that it counts, and at least every 100 ms.
@@ -116,7 +116,7 @@ private:
     e.sent_at = now;
     return longest_sleep;
   }
-  // As fast as possible, and nothing is new but how far it is: if its samples tell that, a status in each
+  // In a fast run, and nothing is new but how far it is: if its samples tell that, a status in each
   // beat would only cost time. Where all environments meet after each beat, all wait for it.
   bool may_wait(const environment& e) const {
     const auto behind = static_cast<std::ptrdiff_t>(e.outputs.size());

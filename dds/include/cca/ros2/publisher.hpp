@@ -10,8 +10,8 @@
 // (robot.unlimited_command).
 //
 // They send a message each time they fire, once all inputs have a sample. The header's stamp is the wall
-// clock when it is sent, minus the age of the oldest input; it is true to about a millisecond, at wall-clock
-// speed. Third argument: `default_qos` or `sensor_data`. Domain: the variable ROS_DOMAIN_ID, else 0.
+// clock when it is sent, minus the age of the oldest input; it is true to about a millisecond, in a
+// wall-clock run. Third argument: `default_qos` or `sensor_data`. Domain: the variable ROS_DOMAIN_ID, else 0.
 //
 // Errors: `cca::refused` from `load()`, if DDS can't be opened. `sent()`, `dropped()`: a message is dropped
 // if 64 wait already, or a reliable subscriber does not keep up. Any thread may ask for both, after `load()`.

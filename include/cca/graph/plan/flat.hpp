@@ -64,7 +64,7 @@ struct call {
   int first_request = 0;     // of those that stop or start parts
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
   bool elsewhere = false;    // runs in another environment
-  bool irregular = false;    // of a free-running environment, at wall-clock speed
+  bool irregular = false;    // of a free-running environment, in a wall-clock run
   // Only in a set of modes (graph/plan/modes/share.hpp):
   bool unsteady = false;            // its clock is known, but another mode has another one, or lacks the node
   bool other_clocks = false;        // another mode has another one

@@ -4,7 +4,7 @@
 //   cca::deployed<split> d;
 //   d.load(); d.start(); d.run(cca::for_<10>{}, cca::at_wall_clock());
 //
-// As fast as possible, `between` sees all environments at rest after each beat. At wall-clock speed it runs
+// In a fast run, `between` sees all environments at rest after each beat. In a wall-clock run it runs
 // between two beats of the first environment, while the others go on: then it may touch components of the
 // first, and nothing of the others but the counts.
 //
@@ -117,7 +117,7 @@ public:
   }
 
   // One component, by its path: also while it runs, in the thread of the environment that runs it, between
-  // two of its beats: in `between` one of the first environment, or, as fast as possible, any.
+  // two of its beats: in `between` one of the first environment, or, in a fast run, any.
   using host::start, host::stop;
 
   // As of a controller. Where other processes run environments, their run ends with stop() too.
@@ -133,7 +133,7 @@ public:
   // The next beat. While it runs: in `between`.
   std::int64_t beat_index() const noexcept { return k; }
 
-  // As of a controller. While it runs: in `between`, as fast as possible.
+  // As of a controller. While it runs: in `between`, in a fast run.
   template <class F>
   void observed(F f) const {
     placed::observe_here(k, f);
@@ -143,7 +143,7 @@ public:
   using told::for_each_trace, told::traced_into, told::for_each_tap, told::recorded_into;
   using told::parameters_changed_in;
 
-  // As of a controller. While it runs on a clock: those of the first environment, which `between` may touch.
+  // As of a controller. In a wall-clock run: those of the first environment, which `between` may touch.
   void parameters_changed() noexcept { told::parameters_changed(now == cca::state::running, first_here()); }
 
 private:

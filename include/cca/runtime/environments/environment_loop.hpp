@@ -1,6 +1,6 @@
 // The loop of one environment: its components, which beats it runs, and when.
 //
-// A fast run waits for every sample that it needs, so that all is as in one loop. A run on a clock never
+// A fast run waits for every sample that it needs, so that all is as in one loop. A wall-clock run never
 // waits for a sample: the first environment gives the beat, the others follow it. A free-running one
 // then follows nobody: its cycles begin without pause.
 #pragma once
@@ -48,7 +48,7 @@ public:
   std::int64_t done = 0;  // behind the last beat that has run
   kept_state<graph> state;
 
-  // Before a run, while all environments rest. `ahead`: of the others, as fast as possible.
+  // Before a run, while all environments rest. `ahead`: of the others, in a fast run.
   void prepare(
       exchange<D>& exchanged, const peers* others, bool is_exact, std::int64_t ahead, std::int64_t beat) {
     state.shared = &exchanged;
@@ -79,7 +79,7 @@ public:
 
   // `after_beat`, of the first environment in each process, returns false at the end.
 
-  // ---- as fast as possible ----
+  // ---- in a fast run ----
 
   // Where no environment may be ahead, `after_beat` sees all environments at rest.
   template <class Pace, class AfterBeat, class Obey>
@@ -107,7 +107,7 @@ public:
     }
   }
 
-  // ---- at wall-clock speed ----
+  // ---- in a wall-clock run ----
 
   // obey.has_news(): somebody wants a pause, or another speed. obey([&] { ... }): while it is paused, once a
   // period; false: the run ends.

@@ -29,7 +29,7 @@ template <class D>
 using environments_here = std::array<bool, array_size(environment_count<D>)>;
 
 // Enough for the samples of the beats in which the writer is ahead, and for those that are not due; and for
-// all that a queue may hold, if its environment stands still on a clock.
+// all that a queue may hold, if its environment stands still in a wall-clock run.
 template <class D, int Output>
 inline constexpr int ring_capacity = static_cast<int>(std::bit_ceil(
     static_cast<unsigned>(most_ahead<D> + largest_delay_of<D, Output> + 2 + most_waiting<D, Output>)));
@@ -42,7 +42,7 @@ template <class D, int Output>
 struct leaving_samples {
   ring_of_output<D, Output> ring;
 };
-// Of a free-running environment also those of wall-clock speed, with the beats in which they arrived. The
+// Of a free-running environment also those of a wall-clock run, with the beats in which they arrived. The
 // first environment writes them.
 template <class D, int Output>
   requires is_of_free_running<D, Output>
@@ -81,7 +81,7 @@ struct fault_record {
   }
 };
 
-// The beat in which an environment needed most time in this run, at wall-clock speed. One that hangs is in
+// The beat in which an environment needed most time in this run, in a wall-clock run. One that hangs is in
 // it.
 struct slowest_beat {
   std::atomic<std::int64_t> beat{-1}, needed{0};    // ns
@@ -105,7 +105,7 @@ template <int Environments>
 struct alignas(64) environment_record {
   std::atomic<std::int64_t> position{0};
 
-  // The clock of the first environment at wall-clock speed: the newest beat begun, when, and the time to the
+  // The clock of the first environment in a wall-clock run: the newest beat begun, when, and the time to the
   // next (ns). `begun_at` is of the even and of the odd beats: who reads `begun` finds the time of that beat.
   std::atomic<std::int64_t> begun{-1}, interval{0};
   std::array<std::atomic<std::int64_t>, 2> begun_at{};
@@ -121,7 +121,7 @@ struct alignas(64) environment_record {
   std::atomic<bool> is_exact{true}, all_meet{false}, is_stopped{false};
   std::atomic<bool> is_paused{false};  // of the first: it begins no beat for now
 
-  // At wall-clock speed, since start().
+  // In a wall-clock run, since start().
   std::atomic<std::int64_t> overruns{0}, lost_periods{0};
   std::array<std::atomic<std::int64_t>, array_size(Environments)> late{};  // what comes from each
   histogram wake_up{}, duration{};
@@ -159,7 +159,7 @@ struct exchange<D, std::integer_sequence<int, Output...>, std::integer_sequence<
   auto& ring() {
     return static_cast<leaving_samples<D, Number>&>(*this).ring;
   }
-  // Of a free-running environment, at wall-clock speed: what has arrived, and what its cycles publish.
+  // Of a free-running environment, in a wall-clock run: what has arrived, and what its cycles publish.
   template <int Number>
   auto& arrived() {
     return static_cast<leaving_samples<D, Number>&>(*this).arrived;

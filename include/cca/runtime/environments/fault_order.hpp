@@ -1,4 +1,4 @@
-// As fast as possible, a fault cuts the beat of every environment where it would have cut the one loop: the
+// In a fast run, a fault cuts the beat of every environment where it would have cut the one loop: the
 // calls behind it in the order of the whole don't run. So an environment waits before a call until all calls
 // in front of it that may fault, elsewhere, have gone well. It also waits for the samples that the call reads
 // in the beat of their publication: wires of a free-running environment may have no delay.

@@ -11,7 +11,7 @@
 
 namespace cca {
 
-// At wall-clock speed; as fast as possible nothing is counted.
+// In a wall-clock run; in a fast run nothing is counted.
 struct environment_figures {
   std::string_view name;
   histogram wake_up;  // from when a beat should begin until it began, ns

@@ -1,4 +1,4 @@
-// What a deployment tells of its runs at wall-clock speed. `Self` has the exchange, in `shared`.
+// What a deployment tells of its wall-clock runs. `Self` has the exchange, in `shared`.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace cca::detail {
 template <class Self, class D>
 class figures_of_runs {
 public:
-  // In the runs at wall-clock speed since start(). Beats whose samples had not come when they began, each
+  // In the wall-clock runs since start(). Beats whose samples had not come when they began, each
   // environment that was late counted; beats that were still running when the next should begin; the periods
   // in which no beat began. Sums over all environments. These and `figures` may be called from any thread
   // while it runs.

@@ -40,7 +40,7 @@ class environment_links<D,
 public:
   exchange<D>* shared = nullptr;
   const peers* others = nullptr;   // null: all environments are in this process
-  bool is_exact = false;           // as fast as possible: waits for whatever a result depends on
+  bool is_exact = false;           // in a fast run: waits for whatever a result depends on
   std::int64_t ahead = 0;          // by how many beats at most, then
   bool is_cut = false;             // a fault elsewhere comes before the next call of this beat
   peers::bells* rings = nullptr;   // of a transport with threads of its own
@@ -131,11 +131,11 @@ public:
     (look_for(Other, position - 1, [&] { return Other == E || has_come_to<Other>(position); }), ...);
   }
 
-  // As fast as possible: whether beat k may begin. All samples for it are here, and nobody is so far behind
+  // In a fast run: whether beat k may begin. All samples for it are here, and nobody is so far behind
   // that a sample is lost, or might still fault in the beat before.
   bool may_begin(std::int64_t k) noexcept { return (is_far_enough<Other>(k) && ...); }
 
-  // When beat k begins at wall-clock speed: counts the environments whose samples should be here and are not.
+  // When beat k begins in a wall-clock run: counts the environments whose samples should be here and are not.
   // The one that has been late for more beats in a row than is tolerated; -1: none.
   int count_late(std::int64_t k, loop_observers to) noexcept {
     int lost = -1;
@@ -250,8 +250,8 @@ private:
     if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
   }
 
-  // As fast as possible it looks again only where the last look does not tell: each look fetches the number
-  // from another core. At wall-clock speed a peer that is refused goes back.
+  // In a fast run it looks again only where the last look does not tell: each look fetches the number
+  // from another core. In a wall-clock run a peer that is refused goes back.
   template <int X>
   bool has_come_to(std::int64_t position) noexcept {
     if (!is_exact || seen[X] < position) seen[X] = shared->position(X);

@@ -24,7 +24,7 @@ public:
   };
   virtual bells* rings() const { return nullptr; }
 
-  // As fast as possible an environment has the time to do the work of these threads: then what it sends and
+  // In a fast run an environment has the time to do the work of these threads: then what it sends and
   // receives needs no way over them.
   virtual bool works_in_environment() const { return false; }
   // At the end of a beat.

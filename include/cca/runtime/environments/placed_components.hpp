@@ -171,7 +171,7 @@ public:
     return first;
   }
 
-  // Between two beats of all of them, or on a clock of the first here.
+  // Between two beats of all of them, or, in a wall-clock run, of the first here.
   void parameters_changed(bool is_running, int first) noexcept {
     if constexpr (Recordable<D>)
       this->loops.for_each([&]<int E>(auto& loop) {

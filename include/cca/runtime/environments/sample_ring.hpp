@@ -13,8 +13,8 @@
 
 namespace cca::detail {
 
-// At wall-clock speed each word is atomic, and the number of a slot says which sample it has: one that is
-// being overwritten is seen as such. As fast as possible the writer waits for its readers, so nobody
+// In a wall-clock run each word is atomic, and the number of a slot says which sample it has: one that is
+// being overwritten is seen as such. In a fast run the writer waits for its readers, so nobody
 // overwrites what somebody reads, and coordinates are copied as a block. A process that dies while it writes
 // leaves no broken sample, and no lock.
 //
@@ -43,7 +43,7 @@ public:
     bool is_repeated = false;
   };
 
-  // The writer's. `is_exact`: as fast as possible.
+  // The writer's. `is_exact`: in a fast run.
   template <class Vector>
   void put(const Vector& v,
            std::int64_t origin,
@@ -95,7 +95,7 @@ public:
     return false;
   }
 
-  // ---- a reader's, as fast as possible ----
+  // ---- a reader's, in a fast run ----
 
   // One more than the number of the newest sample published before beat `k`; searches from `from` on. The
   // writer may overwrite older samples meanwhile. `from`: there is none, or it has given up.

@@ -72,8 +72,8 @@ public:
   void go_on() { controlled().go_on(); }
   void step() { controlled().step(); }
   bool is_paused() const noexcept { return commands.is_paused(); }
-  // Of a run on a clock, times the clock: 0.5 is half as fast. Refused: what is not above 0. A run as fast as
-  // possible has no speed: then has_refused_speed() is true when the loop has looked.
+  // Of a wall-clock run, times the clock: 0.5 is half as fast. Refused: what is not above 0. A fast run has
+  // no speed: then has_refused_speed() is true when the loop has looked.
   void set_speed(double factor) {
     if (!(factor > 0) || factor > std::numeric_limits<double>::max())
       throw refused("cca::live_access: set_speed: " + std::to_string(factor) +

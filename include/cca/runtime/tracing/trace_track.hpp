@@ -24,7 +24,7 @@ public:
     std::size_t events = 0;   // at least
     std::size_t in_beat = 0;  // the most of one beat
     std::size_t words = 0;    // of a frame that nobody reads: recordable graphs write one
-    bool waits = false;       // where there is no room, the loop waits: nothing is on a clock
+    bool waits = false;       // where there is no room, the loop waits: it is a fast run
   };
   explicit trace_track(const room& r)
       : most_in_beat(r.in_beat),

@@ -19,7 +19,7 @@ namespace cca::detail {
 template <template <class> class Host, class Graph>
   requires Recordable<Graph>
 struct program_recorder<Host<Graph>> {
-  // `waits`: nothing is on a clock, so the loop may wait for the file.
+  // `waits`: it is a fast run, so the loop may wait for the file.
   program_recorder(Host<Graph>& c, const std::string& file, std::vector<std::string> scopes, bool waits)
       : recorder(c, file, {.scopes = std::move(scopes), .waits = waits, .opens_later = true}) {}
 

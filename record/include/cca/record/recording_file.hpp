@@ -8,7 +8,7 @@
 // - /cca/fault: component and reason
 // - /cca/mode: of a set of modes: the mode, at the start and where it changes
 // - /cca/part: parts that may be stopped: where one is stopped or started
-// - /cca/free_running: from which beat on free-running environments ran at wall-clock speed
+// - /cca/free_running: the first beat of a wall-clock run, in which environments ran freely
 // - /cca/late, /cca/skipped: of a deployment: samples that came late, beats that an environment left out
 // - /cca/lost: beats that did not fit into the ring
 //

@@ -11,7 +11,7 @@ struct settings {
   // Ports under these scopes; none: all. "dmp" and "dmp.*" are all ports under dmp, "dmp.phase" is one.
   std::vector<std::string> scopes{};
   // Where the file can't be written fast enough: true, the loop waits, and no beat is lost; false, it never
-  // waits, and the beats that are lost are marked in the file. Wait only where nothing is on a clock.
+  // waits, and the beats that are lost are marked in the file. Wait in fast runs only.
   bool waits = false;
   double buffered_seconds = 4;  // of beats, at least 1024 of them, at most 64 MiB
   double flush_seconds = 1;     // what is older than this is in the file

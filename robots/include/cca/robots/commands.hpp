@@ -1,10 +1,11 @@
 // The commands that drives take, each one port of the whole robot and one of each joint.
 //
-//   command              port        limits that each axis must state   limiter
-//   position_command     position    angle                              range; rate, if it states velocity
-//   velocity_command     velocity    velocity                           range; rate, if it states
-//   acceleration torque_command       torque      torque                             range; rate, if it
-//   states torque_rate stiffness_command    stiffness   stiffness                          range
+//   command              port        limits of each axis   bounded by the limiter
+//   position_command     position    angle                 range; velocity, acceleration, jerk, if stated
+//   velocity_command     velocity    velocity              range; acceleration, jerk, if stated
+//   torque_command       torque      torque                range; torque_rate, if stated
+//   stiffness_command    stiffness   stiffness             range
+//   damping_command      damping     damping               range
 //
 // Each port is optional. What is wired decides what a joint does (law_of):
 //

@@ -1,7 +1,7 @@
 // Stops the robot of a controller in order: the one line at the end of a program, after its last run, a fault
 // or a signal.
 //
-//   const auto report = cca::hardware::shut_down(controller);   // at wall-clock speed
+//   const auto report = cca::hardware::shut_down(controller);   // in a wall-clock run
 //   std::puts(report.text().c_str());
 //
 // It calls stop() where that is still to do, and then step() once a period: the drives damp, then they are

@@ -18,7 +18,7 @@ inline constexpr flat_of<D> plan_of<D> = then<D>(plan_without_places<D>, [](flat
   return place_components(g, environments_of<D>::all.data(), environment_count<D>);
 });
 
-// The same at wall-clock speed, where nobody knows when a free-running environment publishes.
+// The same in a wall-clock run, where nobody knows when a free-running environment publishes.
 constexpr flat_view make_irregular(flat_view g) {
   for (int c = 0; c < g.call_count; ++c)
     g.calls[c].irregular = g.environments[environment_of(g, c)].is_free_running;

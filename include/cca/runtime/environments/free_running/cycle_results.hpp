@@ -1,4 +1,4 @@
-// What the cycles of a free-running environment publish, on its way to the beat at wall-clock speed: of each
+// What the cycles of a free-running environment publish, on its way to the beat in a wall-clock run: of each
 // output the newest sample. One writer, its thread; one reader, the first environment, when a beat begins.
 // Both are wait-free: each has a slot of its own, and they exchange it for the one in between. All samples of
 // a cycle come together, and a sample that a later cycle does not publish again is not lost.

@@ -1,4 +1,4 @@
-// What the loop of an environment does for the sake of free-running ones, at wall-clock speed. `Loop` is it.
+// What the loop of an environment does for the sake of free-running ones, in a wall-clock run. `Loop` is it.
 //
 //   cycles_of        of a free-running environment: cycles without pause instead of beats
 //   admission_of     of the first environment: what they publish enters its beats

@@ -1,4 +1,4 @@
-// How the samples of free-running environments enter the beats at wall-clock speed: the first environment,
+// How the samples of free-running environments enter the beats in a wall-clock run: the first environment,
 // which gives the beat, takes the newest results when a beat begins, and puts them into rings with the number
 // of this beat. So all readers, and a recording, agree on the beat in which a sample arrived.
 #pragma once

@@ -1,6 +1,6 @@
 // What components ask for parts of other environments, or of their own: it leaves at the end of a beat and
 // has effect when the next one begins, in every environment that has a node of the part. So it travels like a
-// sample that is delayed by one beat: a fast run waits for it, and on a clock it may come late.
+// sample that is delayed by one beat: a fast run waits for it, and in a wall-clock run it may come late.
 //
 // In beats that end by a fault nothing is asked. Errors: none. Cost: only environments whose components ask,
 // or are asked, know of it.

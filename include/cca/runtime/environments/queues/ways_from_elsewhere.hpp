@@ -1,5 +1,6 @@
 // Queues whose samples come from another environment: each is taken out of the ring of its output when it is
-// due. On a clock the ring may have lost some to a reader that stood still; they count as lost by the queue.
+// due. In a wall-clock run the ring may have lost some to a reader that stood still; they count as lost by
+// the queue.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ struct next_by_way {
   std::uint64_t number = 0;
   std::int64_t newest = -1;
 };
-// From a free-running environment: also of what has arrived at wall-clock speed.
+// From a free-running environment: also of what has arrived in a wall-clock run.
 template <class D, int Way>
 struct next_by_way<D, Way, true> : next_by_way<D, Way> {
   std::uint64_t arrived = 0;

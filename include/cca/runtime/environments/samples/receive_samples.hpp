@@ -18,7 +18,7 @@ struct next_arrival {
 };
 template <class D, int Output>
 struct next_arrival<D, Output, true> : next_arrival<D, Output, false> {
-  std::uint64_t arrived = 0;  // the same at wall-clock speed
+  std::uint64_t arrived = 0;  // the same in a wall-clock run
 };
 
 // What a free-running environment keeps of time.
@@ -26,8 +26,8 @@ template <bool IsFree>
 struct time_of_cycles {};
 template <>
 struct time_of_cycles<true> {
-  std::int64_t index = 0;  // of the next cycle, and as fast as possible of the next beat: none is left out
-  std::int64_t beat = 0;   // in which the last one began
+  std::int64_t index = 0;        // of the next cycle, and in a fast run of the next beat: none is left out
+  std::int64_t beat = 0;         // in which the last one began
   std::int64_t beats_since = 1;  // the one before
 
   void begin_cycle(std::int64_t in_beat) noexcept {
@@ -66,7 +66,7 @@ void receive_samples(State& state,
       arrive(one.vector, one.origin, one.published_in);
   };
   if (state.is_exact) {
-    if constexpr (is_of_free_running<D, Output>)  // of a run before, on a clock
+    if constexpr (is_of_free_running<D, Output>)  // of a run before, in a wall-clock run
       take_all(shared.template arrived<Output>(), next.arrived, end);
     if (next.newest == end - 1) return;
     const std::uint64_t behind = ring.end_before(next.number, end);

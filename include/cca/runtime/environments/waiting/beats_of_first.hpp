@@ -1,4 +1,4 @@
-// How a follower waits for the beats of the first environment, at wall-clock speed. `Loop` is its loop.
+// How a follower waits for the beats of the first environment, in a wall-clock run. `Loop` is its loop.
 //
 // It sleeps until its next beat is due, and is woken when a run ends. If the first environment does not begin
 // that beat, resource nodes idle once a period and `between` is asked: a robot goes on getting frames, and a

@@ -44,7 +44,7 @@ private:
   std::int64_t period, most_patient, due = 0;
 };
 
-// In a run at this pace: on a clock the period of its beats. As fast as possible that of the architecture,
+// In a run at this pace: in a wall-clock run the period of its beats. In a fast run that of the architecture,
 // and not before others have taken 100 ms: they hang then. Sooner a result would depend on the machine's
 // speed.
 template <class Pace>

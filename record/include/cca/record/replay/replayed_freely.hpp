@@ -1,5 +1,5 @@
 // A component of a free-running environment in a replay: it computes, as in one loop, until the recording
-// says that it ran at wall-clock speed. From then on its results depended on the machine, so it publishes
+// says that it ran in a wall-clock run. From then on its results depended on the machine, so it publishes
 // what was recorded, in the beats in which that arrived.
 #pragma once
 

@@ -2,9 +2,8 @@
 //
 //   tree_inertia now(model);
 //   now.look_at(tree);
-//   now.weights()                        (coordinates, + 6 in front if the base floats)^2, kg m^2 and the
-//   like now.jacobian(i)                      of the centre of mass of link i (-1: the base): angular, then
-//   linear
+//   now.weights()     (coordinates, + 6 in front if the base floats)^2, kg m^2 and the like
+//   now.jacobian(i)   of the centre of mass of link i (-1: the base): angular, then linear
 //
 // The columns of a base that floats are its angular, then its linear velocity in the world. Joints that
 // follow others are part of their coordinate. Cost: links times coordinates squared. Nothing allocates after
