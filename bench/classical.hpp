@@ -1,6 +1,7 @@
-// The classical way to build a component architecture, as the seed does it: components behind virtual
-// functions, found by name at run time; samples on the heap behind shared pointers; a queue at each input;
-// strategies as objects. The components themselves are those of the graph, so the arithmetic is the same.
+// The classical way to build a component architecture, as the source document does it: components behind
+// virtual functions, found by name at run time; samples on the heap behind shared pointers; a queue at each
+// input; strategies as objects. The components themselves are those of the graph, so the arithmetic is the
+// same.
 //
 // It is a good implementation of this kind: ports are looked up once, when they are connected; samples are
 // typed and of fixed size.

@@ -312,7 +312,7 @@ A driver publishes a message, each reflector publishes what it read, and the dri
 How to read the figures:
 
 - Between environments the architecture is the same for all transports; only the deployment differs.
-  All its wires are `delayed<1>`: what the driver publishes in an even beat is reflected in the odd one behind it, and read in the next even one.
+  All its wires are `delayed<1>`: what the driver publishes in an even beat is reflected in the odd one after it, and read in the next even one.
   So a round trip is two beats of a fast run: the environments wait for each other, and each way is one hand-over.
   Raw does the same number of hand-overs: one there, one back.
 - The time goes from one reading of the clock by the driver to the next, two beats later: it publishes, two messages cross, it checks the first and the last number of each.

@@ -16,7 +16,7 @@
 
 namespace bench {
 
-// How much to measure: `rounds` times all anew, with so many round trips behind the first ones.
+// How much to measure: `rounds` times all anew, with so many round trips after the first ones.
 struct amount {
   int rounds = 5;
   std::size_t round_trips = 1000, warm_up = 100;

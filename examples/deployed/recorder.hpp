@@ -21,7 +21,7 @@ namespace deployed {
 
 class record {
 public:
-  // For so many beats. What comes behind them is not kept.
+  // For so many beats. What comes after them is not kept.
   void reserve(std::int64_t beats) {
     names.reserve(most_outputs);
     digests.reserve(static_cast<std::size_t>(beats) * most_outputs);

@@ -1,4 +1,4 @@
-// A file of a policy: the bytes as they are, and as the numbers behind the head of a right file. It is
+// A file of a policy: the bytes as they are, and as the numbers after the head of a right file. It is
 // refused and changes nothing, or the weights are finite and the same when they are written and read again.
 #include <algorithm>
 #include <cmath>

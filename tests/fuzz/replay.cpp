@@ -1,4 +1,4 @@
-// A recording, replayed: the bytes are a whole file; or, behind a byte that says so, records behind the head
+// A recording, replayed: the bytes are a whole file; or, after a byte that says so, records after the head
 // of a right one, outside of chunks or in a chunk of their own, so that checksums and definitions hold. It is
 // refused, or it ends: soon, and with a result that fits to itself.
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A node behind twelve that may fault. It runs in every beat: the compiler must not take it for cold code.
+// A node after twelve that may fault. It runs in every beat: the compiler must not take it for cold code.
 #include <cca/cca.hpp>
 
 namespace {

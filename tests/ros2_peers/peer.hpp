@@ -57,7 +57,7 @@ inline content told(const std::string& type) {
             0,
             {"knee", "tail", "hip"},
             {{-0.5, 9, 0.25}, {2, 9, 1}, {}, {}, {0.5}, {-1, 9, 0.5}, {4, 9, 3}, {9, 9, 9}, {}, {1.25}}};
-  if (type == "Image") {  // height, width, is_bigendian, step; two bytes behind each row are no pixels
+  if (type == "Image") {  // height, width, is_bigendian, step; two bytes after each row are no pixels
     std::vector<double> data;
     for (int row = 0; row < 2; ++row) {
       for (int i = 0; i < 12; ++i) data.push_back(10 * (12 * row + i) + 10);

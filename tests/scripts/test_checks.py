@@ -12,6 +12,7 @@ import reject
 import rules
 import snippets
 import version
+import words
 
 
 class Tree(unittest.TestCase):
@@ -212,6 +213,20 @@ class Version(Tree):
         self.assertEqual(len(self.found(CMakeLists="project(cca VERSION 1.2.0)")), 1)
         self.assertEqual(len(self.found(CMakeLists="find_package(cca 1.2 REQUIRED)")), 1)
         self.assertEqual(len(self.found(docs_a="find_package(cca 1.1 REQUIRED)")), 1)
+
+
+class Words(Tree):
+    def found(self, text, name="docs/a.md"):
+        self.write(name, text)
+        return list(words.problems(self.root))
+
+    def test_all(self):
+        self.assertEqual(self.found("A wall-clock run, `as_fast_as_possible{}`, a pace on a clock of yours.\n"), [])
+        self.assertEqual(self.found("It goes at wall-clock speed.\n"), ["docs/a.md:1: `at wall-clock speed`: write `in a wall-clock run`"])
+        self.assertEqual(self.found("A run on a clock.\nAs fast as possible it waits.\n"), ["docs/a.md:2: `As fast as possible`: write `in a fast run`",
+                                                                                      "docs/a.md:1: `on a clock`: write `in a wall-clock run`"])
+        self.assertEqual(len(self.found("", "docs/a.md") + self.found("// It goes as fast\n  // as possible.\n", "include/cca/a.hpp")), 1)
+        self.assertEqual(self.found("At wall-clock speed.\n", "CHANGELOG.md")[1:], [])
 
 
 class Rules(Tree):

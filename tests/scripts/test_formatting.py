@@ -97,6 +97,19 @@ class Program(unittest.TestCase):
         self.assertEqual(source.read_text(), "int x;\n")
         self.assertEqual(self.run_script("format.py")[0], 0)
 
+    def test_tables_in_comments_stay(self):
+        style = (HERE.parents[1] / ".clang-format").read_text()
+        (self.root / ".clang-format").write_text(style)
+        source = self.root / "a.hpp"
+        for table in ("//   first    {}\n//   second   other\n", "// | {} | b |\n// | c | d |\n"):
+            source.write_text("// A table.\n//\n" + table.format(("word " * 25).strip()) + "int x;\n")
+            before = source.read_text()
+            self.assertEqual(self.run_script("format.py", "--write")[0], 0)
+            self.assertEqual(source.read_text(), before)
+        source.write_text("// " + "word " * 25 + "\n// more.\nint x;\n")  # running text is filled
+        self.run_script("format.py", "--write")
+        self.assertLess(max(map(len, source.read_text().splitlines())), 111)
+
     def test_format_says_what_is_missing(self):
         code, said = self.run_script("format.py", env={"PATH": str(self.root)})
         self.assertEqual(code, 1)

@@ -1,4 +1,4 @@
-"""Skeletons among the nodes of a random architecture: they are put behind it, from a source of chance of their own, with probes
+"""Skeletons among the nodes of a random architecture: they are put after it, from a source of chance of their own, with probes
 that read them. A skeleton that is a component is a node without a habit: the interpreter knows its function by its name
 (skeletons.hpp). One that is a graph is a group of nodes, as docs/skeletons.md says; its stages and workers are probes.
 """

@@ -70,7 +70,7 @@ public:
 
 private:
   std::set<std::string> used_;
-  std::map<std::string, int> last_;  // the last number behind a name
+  std::map<std::string, int> last_;  // the last number after a name
   std::map<std::string, std::string> given_;
 };
 

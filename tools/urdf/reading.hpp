@@ -66,7 +66,7 @@ inline robot read_robot(std::string_view text, remarks& said) {
     return r;
   }
   if (const element* second = root->NextSiblingElement())
-    said.error(second->GetLineNum(), tag(*second) + " stands behind the <robot>");
+    said.error(second->GetLineNum(), tag(*second) + " stands after the <robot>");
   detail::refuse_xacro(*root, said);
   if (said.has_error()) return r;
 

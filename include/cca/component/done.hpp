@@ -1,7 +1,7 @@
 // What a component asks of the life-cycle, among its results.
 //
 // A component that has finished returns `done`: it stops itself, and fires again when somebody starts it. Its
-// node has the strategy `stoppable` (strategy.not_stoppable). What it returns beside is published.
+// node has the strategy `stoppable` (strategy.not_stoppable). Its other results are published.
 //
 // One that stops or starts a part of its architecture returns `stops` or `starts`:
 //

@@ -28,7 +28,7 @@ inline std::string toml_lines(const schema& type, const void* value) {
   return lines.append("]");
 }
 
-// `path` is spelled as TOML. A table's values come before its inner tables: behind them they would belong to
+// `path` is spelled as TOML. A table's values come before its inner tables: after them they would belong to
 // those.
 inline void write_table(const schema& type, const void* value, const std::string& path, std::string& out) {
   if (type.count) out.append(out.empty() ? "[" : "\n[").append(path).append("]\n");

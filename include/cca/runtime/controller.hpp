@@ -33,7 +33,7 @@ public:
     detail::observe_all<Graph>(state_of_all, k, f);
   }
 
-  // For a recorder of a recordable graph: what it gives to be told of each beat; null: nobody records.
+  // For the recorder of a recordable graph: called in each beat; null if nothing is recorded.
   void record_into(detail::beat_tap<Graph>* tap) noexcept
     requires(detail::Recordable<Graph>)
   {
@@ -45,7 +45,7 @@ public:
   {
     return state_of_all.tap.get();
   }
-  // For a tracer of a traceable graph: f(number of the loop, whom it tells of its beats).
+  // For the tracer of a traceable graph: f(number of the loop, the place of its observer).
   template <class F>
   void for_each_trace(F f) noexcept
     requires(detail::Traceable<Graph>)

@@ -8,7 +8,7 @@
 // by_priority: the first named of the writers with a new sample now or within the last `patience` seconds. A
 // writer that does not want the output publishes nothing (`maybe`). If no writer has a new sample, the choice
 // stays. by_freshness: the writer whose sample has the latest origin; of several, the first named. The output
-// jumps from one writer to the next: put a limiter behind it, or use a switch_between instead.
+// jumps from one writer to the next: put a limiter after it, or use a switch_between instead.
 // Parameters: `patience`, of by_priority. Errors: skeleton.arity. Cost: one or two comparisons per writer.
 // Example: tests/runtime/skeleton/arbiter.cpp; docs/skeletons.md.
 #pragma once

@@ -9,7 +9,7 @@
 // One number: up to `none` the output is the first source, from `full` on the second, to the bit; between
 // them in proportion. Several numbers: in proportion; a number that is not above zero counts as zero. If none
 // is above zero, the output is the first source. It uses the domain's own interpolation: the shorter arc for
-// a phase, slerp for an orientation. Put a limiter behind it.
+// a phase, slerp for an orientation. Put a limiter after it.
 // Parameters: `none`, `full`, of one number. Errors: skeleton.arity. Cost: one interpolation per source but
 // the first. Example: tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
 #pragma once

@@ -11,7 +11,7 @@
 // acceleration zero (minimum jerk: Flash and Hogan 1985). Samples are mixed by the domain's own
 // interpolation. Another choice during a hand-over begins a new one from the current weights. A choice that
 // names no source is ignored; the choice of a source that has not published yet takes effect once it does.
-// Put a limiter behind it. Parameters: `duration`; a change takes effect at the next hand-over. Errors:
+// Put a limiter after it. Parameters: `duration`; a change takes effect at the next hand-over. Errors:
 // skeleton.arity. Cost: one interpolation per source but the first, only during a hand-over. Example:
 // tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
 #pragma once

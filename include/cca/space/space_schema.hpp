@@ -28,7 +28,7 @@ struct schema_field {
   std::size_t length = 0;
   std::string_view unit{};
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
-  int offset = 0;  // bytes behind the first number
+  int offset = 0;  // bytes after the first number
 
   constexpr std::string_view name() const { return {letters, length}; }
 

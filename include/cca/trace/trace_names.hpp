@@ -35,7 +35,7 @@ constexpr std::string_view name_of_phase(phase_of_beat phase) {
   }
 }
 
-// The calls of a beat, behind those of the modes before.
+// The calls of a beat, after those of the modes before.
 template <class Graph>
 void add_calls(std::vector<trace_names::call>& to) {
   const std::size_t first = to.size();

@@ -58,7 +58,7 @@ void claim_everywhere(ring& r, std::uint64_t number) {
 }  // namespace
 
 TEST_SUITE("sample ring") {
-  TEST_CASE("a sample is taken in the beats behind its own") {
+  TEST_CASE("a sample is taken in the beats after its own") {
     ring r;
     CHECK_EQ(r.end_before(0, 0), 0);
     CHECK_FALSE(r.has(0, 0));

@@ -301,7 +301,7 @@ TEST_SUITE("safety chain") {
     CHECK(run.controller.get<"robot.emergency_stop">().mode() == hw::motion_mode::run);
   }
 
-  TEST_CASE("behind another node's frames waits one batch at most, and the damping frames come last") {
+  TEST_CASE("after another node's frames waits one batch at most, and the damping frames come last") {
     hil::in_memory<> run({}, false);  // controllers that repeat frames
     run.controller.load();
     run.controller.start();

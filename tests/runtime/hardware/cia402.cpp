@@ -185,7 +185,7 @@ TEST_CASE("cia402: counts that wrap are reported as they are, and can be unwrapp
     return r.position;
   };
   CHECK(told(2147483648) ==
-        doctest::Approx(-range / 2).epsilon(1e-14));  // one behind the last, as in two's complement
+        doctest::Approx(-range / 2).epsilon(1e-14));  // one after the last, as in two's complement
   CHECK(told(2147483647) - told(2147483648) == doctest::Approx(range - count).epsilon(1e-14));
   CHECK(told(-2147483649) == told(2147483647));
   for (const std::int64_t step : {70'000'001, -70'000'001}) {  // many times over the end

@@ -161,7 +161,7 @@ TEST_CASE("memory bus: the lowest id goes first, an 11-bit id before a 29-bit on
   wire.advance(1);
   wire.end(0).send(std::array{can_frame{.id = extended(0x123u << 18)}});
   wire.end(1).send(std::array{numbered(0x123, 1)});
-  wire.end(1).send(std::array{numbered(0x001, 2)});  // waits behind the first frame of this end
+  wire.end(1).send(std::array{numbered(0x001, 2)});  // waits after the first frame of this end
   wire.advance(10 * ms);
   const auto got = all_from(wire.end(2));
   REQUIRE(got.size() == 4);

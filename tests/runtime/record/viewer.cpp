@@ -32,7 +32,7 @@ std::string type_of() {
 
 constexpr std::int64_t origin = 3'000'000'007;
 
-// What comes behind the head, whose stamp and frame it checks.
+// What comes after the head, whose stamp and frame it checks.
 template <class Space>
 std::vector<double> numbers(const std::string& frame, const std::vector<double>& sample) {
   viewer_message m = message<Space>();

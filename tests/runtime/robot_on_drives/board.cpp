@@ -141,7 +141,7 @@ TEST_SUITE("a robot's board") {
     auto sent = some_reading<larger>();
     sent.loads[0] = {0.1, -0.2, 0.3, 10, -20, 30};
     const auto first = larger::frames(sent, 1), second = larger::frames(sent, 2);
-    constexpr std::size_t orientation = 2, motion = 3, force = 4;  // of the first unit, behind the load
+    constexpr std::size_t orientation = 2, motion = 3, force = 4;  // of the first unit, after the load
     CHECK(larger::decode(first[orientation], r));
     CHECK(r.inertial[0].orientation[3] == doctest::Approx(0.8).epsilon(1e-4));
     CHECK(std::isnan(r.inertial[0].angular_velocity[0]));

@@ -258,7 +258,7 @@ void all_are_heard_from(const char* program) {
   expect("PoseStamped", "cca/pose", others.pose, where);
   expect("Twist", "cca/command", others.command, six);
   expect("TransformStamped", "cca/transform", others.transform, where);
-  expect("TFMessage", "cca/tf", others.tree, where);  // behind the transform of another frame
+  expect("TFMessage", "cca/tf", others.tree, where);  // after the transform of another frame
   numbers_of<ways> trajectory;
   trajectory << 0.5, 1.25, 1.25, other_source::angles(), other_source::velocities();  // the last is repeated
   expect("JointTrajectory", "cca/way", others.trajectory, trajectory);

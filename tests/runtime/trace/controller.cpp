@@ -177,7 +177,7 @@ TEST_CASE("the life-cycle and a fault are marks") {
   CHECK(beats.back().fired.back() == "seldom");  // the fault cuts the beat
 }
 
-TEST_CASE("an overrun is a mark behind its beat") {
+TEST_CASE("an overrun is a mark after its beat") {
   const temporary_file file;
   std::int64_t time = 0;
   cca::controller<traced> c;

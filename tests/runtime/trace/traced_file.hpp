@@ -170,7 +170,7 @@ struct pair : cca::graph<cca::node<"first", gain>,
                          cca::expose<"second.y", "y">> {};
 
 struct loop : cca::graph<cca::rate<1000>,
-                         cca::node<"log", log>,  // declared first, fires behind `seldom`
+                         cca::node<"log", log>,  // declared first, fires after `seldom`
                          cca::node<"mean", average, cca::timed<10>>,
                          cca::node<"seldom", seldom>,
                          cca::node<"pair", pair>,

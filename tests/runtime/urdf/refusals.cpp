@@ -111,7 +111,7 @@ TEST_SUITE("refusals") {
     refused("<sdf version=\"1\"></sdf>", "f:1: error: a URDF file is one <robot>");
     refused("<robot name=\"\"></robot>", "<robot> needs `name`");
     refused("<robot name=\"r\"></robot>", "the robot has no <link>");
-    refused(good + "<robot name=\"s\"></robot>", "stands behind the <robot>");
+    refused(good + "<robot name=\"s\"></robot>", "stands after the <robot>");
     refused(with("<mass value=\"2\"/>", "<mass value=\"2\"/><mass value=\"3\"/>"),
             "f:3: error: <inertial> (line 3) has a second <mass>");
     refused(std::string("<robot name=\"a\0\"></robot>", 25), "byte 14 is 0");
@@ -472,7 +472,7 @@ TEST_SUITE("refusals") {
     grows_with_links([&](int i, const std::string& n) {
       return held(i - 1, n, "revolute", i > 1 ? "<mimic joint=\"j" + std::to_string(i - 1) + "\"/>" : "");
     });
-    // A frame behind too many joints is a note.
+    // A frame after too many joints is a note.
     const auto made = convert(
         robot(400, [&](int i, const std::string& n) { return held(i - 1, n, i % 2 ? "revolute" : "fixed"); }),
         {});

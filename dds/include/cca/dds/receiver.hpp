@@ -92,7 +92,7 @@ private:
     bool has_status = false;
     std::unique_ptr<channel_reader> statuses{};
     std::vector<output> outputs{};
-    std::optional<dated_status> held{}, newest{};  // what waits for samples, and the newest behind that
+    std::optional<dated_status> held{}, newest{};  // what waits for samples, and the newest after that
   };
 
   void attach(dds_entity_t reader) {

@@ -6,7 +6,7 @@
 //   out  "sample"   Space, maybe: the newest that has come since the last firing
 //
 // What comes is treated as a sensor's. Its origin is the beat, minus the age that the sender states; so a
-// watchdog behind it sees how old the data is. It is checked: space, length, age, finite numbers, unit
+// watchdog after it sees how old the data is. It is checked: space, length, age, finite numbers, unit
 // quaternions, whole numbers of a status. What is refused changes nothing and is counted: `refused()`,
 // `why_refused()` the last reason, `received()`. A sample that no beat takes for 0.1 s is dropped,
 // `too_late()`. Any thread may ask for all of these, after `load()`. Put a limiter before an actuator: that a

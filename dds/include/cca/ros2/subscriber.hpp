@@ -6,7 +6,7 @@
 //
 // In each beat it publishes the newest message that has come since its last firing, if there is one. Its
 // origin is the beat: the stamps of other machines are not compared with anything here. Put a watchdog
-// behind a command, and a limiter before an actuator.
+// after a command, and a limiter before an actuator.
 //
 // A message is checked before it is used: length, names, frame, fields, finite numbers (each header in
 // ros2/messages says what it refuses). One that is refused changes nothing and is counted: `refused()`,

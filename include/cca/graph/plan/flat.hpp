@@ -72,7 +72,7 @@ struct call {
 };
 
 // An input, or a further way into one: each wire but the first of those that are merged at an input. The ways
-// come behind all inputs.
+// come after all inputs.
 struct input {
   int call = 0, port = 0;
   int writer = -1;  // an output, or -1

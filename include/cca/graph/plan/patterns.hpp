@@ -199,7 +199,7 @@ struct pattern_search {
     });
   }
 
-  // Calls f(output, -1, name) and, behind them, f(its writer, input, name); returns how many there are.
+  // Calls f(output, -1, name) and, after them, f(its writer, input, name); returns how many there are.
   template <class F>
   constexpr int for_each(F f) const {
     int count = 0;

@@ -1,4 +1,5 @@
-// A feed-forward network as a function: layers of weighted sums, each but the last behind an activation.
+// A feed-forward network as a function: layers of weighted sums, each but the last with an activation after
+// it.
 //
 //   z = (x - centre) .* scale,   h1 = f(W1 z + b1),   h2 = f(W2 h1 + b2), ...,   y = offset + gain .* (W h +
 //   b)

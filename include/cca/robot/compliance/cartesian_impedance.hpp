@@ -40,7 +40,7 @@
 // with the status `clamped`.
 //
 // With a constant stiffness and reference it creates no more energy than `posture_energy`; feed-forward and a
-// stiffness that changes can: put a `passivity_guard` behind it. Near a singular position the end is heavy in
+// stiffness that changes can: put a `passivity_guard` after it. Near a singular position the end is heavy in
 // some direction and the torques stay finite.
 //
 // Inputs (input_status.hpp): while "angles", "velocities" or "attitude" is NaN or infinite, the torque is 0,

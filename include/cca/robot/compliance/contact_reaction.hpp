@@ -27,7 +27,7 @@
 // 1/s, at most the rate of the node (checked on load); `gravity` in m/s^2.
 //
 // "external" must not contain the reaction: the observer takes the torques that leave here (or the limiter
-// behind), over `delayed<1>`. `follow` gives energy; put a `passivity_guard` behind it.
+// after), over `delayed<1>`. `follow` gives energy; put a `passivity_guard` after it.
 //
 // Inputs (input_status.hpp): while "angles", "velocities" or "attitude" is NaN or infinite, the torque is 0,
 // or the nearest that the limits allow; while only "external" or "torques" is, the arm yields. The status is

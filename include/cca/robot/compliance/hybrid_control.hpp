@@ -26,7 +26,7 @@
 // Parameters: `force` (6 bools); `proportional`, `integral` in 1/s; `force_damping` (6: N m s, N s/m),
 // `most_integral` and `most_force` (6: N m, N); `stiffness`, `damping_ratio`, `largest` as of
 // cartesian_impedance; `posture_damping` in 1/s; `gravity` in m/s^2.
-// An integral can feed a motion: put a `passivity_guard` behind it.
+// An integral can feed a motion: put a `passivity_guard` after it.
 //
 // Inputs (input_status.hpp): while "angles", "velocities" or "attitude" is NaN or infinite, the torque is 0,
 // or the nearest that the limits allow. While only another one is, forces and springs are left out: dampers

@@ -25,7 +25,7 @@
 // "feedforward".
 //
 // With a constant stiffness and reference it creates no energy in continuous time, also where the spring is
-// cut; feed-forward and a stiffness that changes can: put a `passivity_guard` behind it.
+// cut; feed-forward and a stiffness that changes can: put a `passivity_guard` after it.
 //
 // In a loop that runs every dt, what acts once a beat must be slow enough for the inertia that it moves:
 // 2 M - dt (D + dt K) positive definite (beat_stability.hpp). It is checked on load and on changes in the

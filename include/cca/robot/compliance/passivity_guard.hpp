@@ -21,7 +21,7 @@
 // accelerating, the springs that it tenses.
 //
 // Let gravity compensation go around it: its work is that of a potential, so it can't add up. Give the
-// controller `compensate_gravity = false`. Put the limiter behind it, and choose limits that the robot can
+// controller `compensate_gravity = false`. Put the limiter after it, and choose limits that the robot can
 // follow: the account is that of the torques that leave here.
 //
 // Parameters: `energy`, `most` in J; `braking` in 1/s, at most the rate of the node (checked on load).

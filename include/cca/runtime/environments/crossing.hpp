@@ -143,7 +143,7 @@ struct leaves_by_clock {
 };
 
 // Whoever has all samples of an environment's outputs up to a beat knows that it has done the beat: they are
-// published by known clocks, and it can't fault behind them. `Output`: those whose samples are seen. Where
+// published by known clocks, and it can't fault after them. `Output`: those whose samples are seen. Where
 // one is read at once its reader looks at the position.
 template <class D, int E, int... Output>
 inline constexpr bool samples_tell = [] {

@@ -45,7 +45,7 @@ public:
   using cycles_of<environment_loop, D, E>::index, cycles_of<environment_loop, D, E>::next_beat;
 
   std::int64_t k = 0;     // the next beat; asleep, the next in which something can fire
-  std::int64_t done = 0;  // behind the last beat that has run
+  std::int64_t done = 0;  // after the last beat that has run
   kept_state<graph> state;
 
   // Before a run, while all environments rest. `ahead`: of the others, in a fast run.
@@ -293,7 +293,7 @@ private:
     return k == end;
   }
 
-  // f(whom it tells of its beats), where somebody records.
+  // f(the observer of its beats), while it is recorded.
   template <class F>
   void tell([[maybe_unused]] F f) noexcept {
     if constexpr (Recordable<D>)

@@ -1,7 +1,7 @@
 // What the environments of a deployment share: one block of atomic numbers, in the memory of a process or
 // between processes. Each number has one writer. Nobody locks, and a writer never waits for a reader.
 //
-// A position counts beats and the calls in them: in beat k, behind the call of rank r in the whole graph, it
+// A position counts beats and the calls in them: in beat k, after the call of rank r in the whole graph, it
 // is k * calls_and_one + r + 1; when beat k is done it is (k + 1) * calls_and_one. Queues that may reject
 // what arrives when a beat begins count as calls before the first.
 #pragma once

@@ -1,5 +1,5 @@
 // In a fast run, a fault cuts the beat of every environment where it would have cut the one loop: the
-// calls behind it in the order of the whole don't run. So an environment waits before a call until all calls
+// calls after it in the order of the whole don't run. So an environment waits before a call until all calls
 // in front of it that may fault, elsewhere, have gone well. It also waits for the samples that the call reads
 // in the beat of their publication: wires of a free-running environment may have no delay.
 #pragma once
@@ -20,7 +20,7 @@ struct fault_order {
   // Of each other environment, before each call: how many calls of the whole must be done, if they are its
   // own; 0: none that may fault.
   std::array<std::array<int, calls>, array_size(environment_count<D>)> needed{};
-  // The same behind the last call of a beat.
+  // The same after the last call of a beat.
   std::array<int, array_size(environment_count<D>)> last{};
 
   // Of each input with a queue that may reject what arrives when a beat begins: its rank, before all calls.

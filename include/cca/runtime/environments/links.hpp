@@ -98,7 +98,7 @@ public:
     return observers_in<std::conditional_t<Recordable<D>, probed<part<D, E>>, part<D, E>>>(
         static_cast<const kept_state<part<D, E>>&>(*this));
   }
-  // For those without whom beat k may not begin.
+  // Looks for the environments that beat k still waits for.
   void look_for_missing(std::int64_t k, std::int64_t position) noexcept {
     (look_for(Other, position, [&] { return is_far_enough<Other>(k); }), ...);
   }

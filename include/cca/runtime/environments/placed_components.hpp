@@ -133,7 +133,7 @@ private:
 template <class D>
 class told_environments : protected placed_components<D> {
 public:
-  // f(number of the environment, whom it tells of its beats)
+  // f(number of the environment, the observer of its beats)
   template <class F>
   void for_each_trace(F f) noexcept
     requires(Traceable<D>)
@@ -152,7 +152,7 @@ public:
     return first;
   }
 
-  // f.template operator()<E>(where loop E keeps whom it tells)
+  // f.template operator()<E>(where loop E keeps its observer)
   template <class F>
   void for_each_tap(F f) noexcept
     requires(Recordable<D>)

@@ -49,7 +49,7 @@ struct thread_wish {
 template <class Option>
 struct wish_of {
   static_assert(sizeof(Option) == 0,
-                "cca::environment: behind the nodes stand options of its thread, cca::realtime<Priority> or "
+                "cca::environment: after the nodes stand options of its thread, cca::realtime<Priority> or "
                 "cca::realtime_if_allowed<Priority>, with cca::on_core<N> in it or not");
 };
 template <int Priority, int... Core>

@@ -128,7 +128,7 @@ public:
     f(Eigen::Map<const vector_type>(s.coordinates.data()), s.origin.load(std::memory_order_relaxed),
       s.published_in.load(std::memory_order_relaxed));
   }
-  // Whether sample number `next`, or one behind it, was published in beat `k` or later. All that the reader
+  // Whether sample number `next`, or one after it, was published in beat `k` or later. All that the reader
   // needs is in the ring then, and it fetches nothing else from the writer's core.
   bool has(std::uint64_t next, std::int64_t k) const noexcept {
     for (const std::uint64_t end = next + Capacity; next < end; ++next) {

@@ -149,8 +149,8 @@ template <class Graph>
 using kept_state =
     std::conditional_t<Recordable<Graph>, controller_state<probed<Graph>>, controller_state<Graph>>;
 
-// Whom a beat tells of more than firings and samples: null where nobody looks, and always where the beat with
-// this key has no hooks.
+// The observers of a beat: null where nobody observes, and always where the beat with this
+// key has no hooks.
 struct loop_observers {
   trace_track* track = nullptr;
   loop_tap* tap = nullptr;

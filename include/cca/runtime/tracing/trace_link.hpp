@@ -1,4 +1,4 @@
-// Where a loop keeps whom it tells of its beats.
+// Where a loop keeps the observer of its beats.
 #pragma once
 
 #include <cca/base/inlining.hpp>

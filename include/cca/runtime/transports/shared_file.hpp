@@ -90,7 +90,7 @@ public:
     struct stat of{};
     return ::fstat(file, &of) == 0 ? static_cast<std::size_t>(of.st_size) : 0;
   }
-  // Zeros behind `mark`, which is there first: if this process is killed meanwhile, the next one knows the
+  // Zeros after `mark`, which is there first: if this process is killed meanwhile, the next one knows the
   // file. All of its memory is there then; without that, a full /dev/shm would kill whoever writes into it.
   void make_anew(std::size_t size) const {
     int error = ::ftruncate(file, 0) != 0 ||
@@ -112,7 +112,7 @@ public:
   }
   const std::string& name() const { return path; }
 
-  // `what` goes on behind the name: " is ...", ": ...".
+  // `what` goes on after the name: " is ...", ": ...".
   [[noreturn]] void refuse(const std::string& what) const {
     throw refused("cca::shared_memory: `" + path + '`' + what);
   }

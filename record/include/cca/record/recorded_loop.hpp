@@ -141,8 +141,8 @@ public:
 
   // ---- in the thread that writes ----
 
-  // An event comes before the beat of its number. What was told before a frame is there when the frame is,
-  // and what was told before an event when the event is.
+  // Events of beat k come before its frame. When a frame or an event can be read, so can all that was
+  // written before it.
   std::int64_t look() override {
     const std::int64_t reached = this->reached();
     frame = this->ring.oldest();

@@ -47,7 +47,7 @@ private:
     put({op(DDS_OP_ADR, DDS_OP_TYPE_SEQ, DDS_OP_SUBTYPE_STU), at, static_cast<number_32>(f.nested->size), 0});
     add(*f.nested, 0);
     end();
-    all[first + 3] = static_cast<number_32>(all.size() - first) << 16 | 4u;  // behind it, and the element
+    all[first + 3] = static_cast<number_32>(all.size() - first) << 16 | 4u;  // after it, and the element
   }
   void put(std::initializer_list<number_32> instruction) {
     all.insert(all.end(), instruction);

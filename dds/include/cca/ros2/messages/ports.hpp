@@ -1,5 +1,5 @@
 // The ports of a publisher or subscriber: for each space of its message one, with the name of the message's
-// field. Their numbers lie one behind the other in one vector.
+// field. Their numbers lie one after the other in one vector.
 #pragma once
 
 #include <string>

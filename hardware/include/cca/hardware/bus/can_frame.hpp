@@ -64,7 +64,7 @@ struct can_frame {
     return {data.data(), remote ? 0 : std::min<std::size_t>(length, longest_payload)};
   }
 
-  // Equal on the wire: bytes behind the payload don't count.
+  // Equal on the wire: bytes after the payload don't count.
   friend constexpr bool operator==(const can_frame& a, const can_frame& b) {
     const auto p = a.payload(), q = b.payload();
     return a.id == b.id && a.length == b.length && a.fd == b.fd && a.fast == b.fast && a.remote == b.remote &&

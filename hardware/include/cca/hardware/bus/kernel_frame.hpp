@@ -27,7 +27,7 @@ constexpr void copy_payload(const std::uint8_t* from, std::uint8_t* to, bool fd)
   else std::copy_n(from, std::size_t{8}, to);
 }
 
-// For valid frames only. Both directions leave the bytes behind the payload as they were.
+// For valid frames only. Both directions leave the bytes after the payload as they were.
 constexpr void to_kernel(const can_frame& f, canfd_frame& k) {
   k.can_id = f.id.number | (f.id.extended ? CAN_EFF_FLAG : 0u) | (f.remote ? CAN_RTR_FLAG : 0u);
   k.len = f.length;

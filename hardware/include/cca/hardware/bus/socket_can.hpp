@@ -8,7 +8,7 @@
 //                   intruder. They are let through too, since own frames come back as confirmations: from
 //                   drivers that echo, when the frame went over the bus; from others, when the driver took it
 //   most_in_flight  more unconfirmed frames than this are `full`. Make it one batch: then no set point waits
-//                   behind an older one
+//                   after an older one
 //   gives_up_after  for controllers in one-shot mode, which do not say which frames they gave up: most of a
 //                   beat. A frame that is not confirmed by then counts as dropped and is no longer in flight
 //   confirmations   false: own frames don't come back. Then `in_flight` is what the kernel still holds, and

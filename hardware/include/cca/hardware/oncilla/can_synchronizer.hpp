@@ -2,7 +2,7 @@
 // `act`. How it starts, watches and stops the drives is in robot/drive_synchronizer.hpp, with its parameters.
 //
 //   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has
-//               reported, and where the report is too old; the nodes behind it publish only numbers
+//               reported, and where the report is too old; the nodes after it publish only numbers
 //               (oncilla_nodes.hpp)
 //           out "trunk"  the sensor board, as robots::oncilla::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are

@@ -4,12 +4,12 @@
 //   clear(), add(bus, frames) the batch of this beat
 //   moves[bus]                the batch follows the controller; else its frames damp, disable or ask
 //   send()                    one batch a bus, with the frames that end a cycle (SYNC)
-//   let_pass()                before frames that must go out behind whatever still waits: those of a stop
+//   let_pass()                before frames that must go out after whatever still waits: those of a stop
 //   is_free(bus)              it is there and holds no frames
 //   has_sent[bus]             the last send() put frames on it
 //
 // Behind frames that still wait, a set point would be stale: it is dropped and counted. Only frames that damp
-// may go behind frames that move, once: so they come last. Used by drive_synchronizer.hpp.
+// may go after frames that move, once: so they come last. Used by drive_synchronizer.hpp.
 #pragma once
 
 #include <algorithm>

@@ -18,7 +18,7 @@
 // Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
 // (stop_sequence.hpp): damp, then disable, in each beat and each `on_idle`, until each drive has confirmed;
 // `stopping()` and `unconfirmed(i)` say how far it is. A start waits for its end. While the emergency stop is
-// pressed no drive is enabled. No set point is sent behind frames that still wait: it would be stale.
+// pressed no drive is enabled. No set point is sent after frames that still wait: it would be stale.
 //
 //   Rate    of the beats: times are the same at any rate (beats.hpp)
 //   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
@@ -236,7 +236,7 @@ private:
     if (phase_now != motion_phase::enabling || stopping()) return;
     outbox.clear();
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      // One step at a time, and none behind frames that wait.
+      // One step at a time, and none after frames that wait.
       ((outbox.is_free(J::bus)
             ? enabling.template next<J, I>(drives.reports[I], drives.is_ready(I), outbox[J::bus])
             : void()),

@@ -139,7 +139,7 @@ struct mode_part : marks_of<M> {
   using cca_items = typename graph::cca_items;
 };
 
-// The number of its first node behind those of the modes before.
+// The number of its first node after those of the modes before.
 template <class M, int I>
 inline constexpr int first_node_of_mode = [] {
   int before = 0;

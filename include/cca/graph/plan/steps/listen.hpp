@@ -1,5 +1,5 @@
 // Step 3, listen: binds observers to what their patterns name. An observer reads each of them as over a wire
-// of its own, by an input behind those of all ports, so the steps that follow know nothing of observers. What
+// of its own, by an input after those of all ports, so the steps that follow know nothing of observers. What
 // a graph itself observes is marked: it can be read between beats.
 //
 // Asks the rules about patterns. Cost: none in a graph that observes nothing.

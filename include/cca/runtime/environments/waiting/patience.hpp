@@ -87,8 +87,8 @@ struct waiting_habit {
 
 class learned_patience : public patience {
 public:
-  // `arriving`: rings when something comes from another process. Null: only polling tells. `others`: from
-  // whom this thread receives itself; then polling tells nothing.
+  // `arriving`: rings when something comes from another process. Null: it polls. `others`: those
+  // from which this thread itself receives; then polling finds nothing.
   explicit learned_patience(waiting_habit& of, bell* arriving = nullptr, const peers* others = nullptr)
       : patience(arriving, others), habit(of) {
     spins = ++habit.waits % 64 == 0 ? waiting_habit::most_spins : habit.spins;

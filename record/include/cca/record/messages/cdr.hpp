@@ -1,4 +1,4 @@
-// Plain CDR, little endian (XCDR1): what ROS 2 sends. Numbers are aligned to their size, counted from behind
+// Plain CDR, little endian (XCDR1): what ROS 2 sends. Numbers are aligned to their size, counted from after
 // the four bytes of the head. Neither writer nor reader allocates.
 #pragma once
 

@@ -5,7 +5,7 @@
 //   float64 hip  # rad, -0.9 to 0.9
 //   float64 knee  # rad, -1.8 to 0
 //
-// In CDR these are words of eight bytes behind the head, so that a sample is one copy.
+// In CDR these are words of eight bytes after the head, so that a sample is one copy.
 #pragma once
 
 #include <cstdint>

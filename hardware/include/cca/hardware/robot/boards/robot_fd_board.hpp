@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  // Places of numbers in a frame, and of the status behind them.
+  // Places of numbers in a frame, and of the status after them.
   enum load_number : std::size_t { force = 0, torque = 3, load_status = 12, load_length = 16 };
   enum unit_number : std::size_t {
     turned = 0,
