@@ -51,8 +51,8 @@ private:
   // that no later call reads what an earlier one did not write. In a deployment, also until a fault
   // elsewhere.
   CCA_INLINE static void run_calls([[maybe_unused]] const beat_context<Graph>& b) {
-    if constexpr (requires { b.state.template is_due<0>(b.k, trace_of<Graph>(b.state)); })
-      (void)((b.state.template is_due<First + Rank>(b.k, trace_of<Graph>(b.state)) &&
+    if constexpr (requires { b.state.template is_due<0>(b.k, b.outcome, trace_of<Graph>(b.state)); })
+      (void)((b.state.template is_due<First + Rank>(b.k, b.outcome, trace_of<Graph>(b.state)) &&
               (call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
                    b, layout_of<Graph>.calls[call_at(First + Rank)]),
                goes_on(b.outcome) ? b.state.template is_done<First + Rank>(b.k)

@@ -30,12 +30,17 @@ CCA_INLINE void put_into_queues(const beat_context<Graph>& b, const Vector& v, s
   if constexpr (in.delay > 0) {
     constexpr place at = layout_of<Graph>.on_the_way[Input];
     if constexpr (at.array >= 0) b.template at<at.array>(at.index).put(v, origin, b.k);
-  } else {
+  } else if constexpr (!call_of<Graph, in.call>.elsewhere) {
     put_into_queue<Graph, Input>(b.state, b.outcome, v, origin, b.k);
   }
   constexpr int next = queue_from<Graph>(in.next_of_writer);
   if constexpr (next >= 0) put_into_queues<Graph, next>(b, v, origin);
 }
+
+// The same in a replay, where more than one sample of this beat was recorded
+// (record/replay/played_samples.hpp).
+template <class Graph, int Output, int Input, class Vector>
+void play_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_t origin);
 
 // The part that a result of a call stops or starts.
 template <class Graph, int Call, class Returned>
@@ -90,7 +95,9 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
       b.template at<array>(index).put(coordinates, returned.origin(), b.k);
     if constexpr (out.leaves) b.state.template send<output>(coordinates, returned.origin(), b.k);
     constexpr int queue = queue_from<Graph>(out.first_reader);
-    if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, returned.origin());
+    if constexpr (queue >= 0 && out.in_a_beat > 1)
+      play_into_queues<Graph, output, queue>(b, coordinates, returned.origin());
+    else if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, returned.origin());
     if constexpr (is_probed<Graph>)
       tell_recorder<Graph>(b.state.frame, at.first_output + Port, coordinates, returned.origin());
   }

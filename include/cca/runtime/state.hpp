@@ -101,7 +101,8 @@ struct stored_in<Graph, Array, storage_kind::queue> {
 };
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::on_the_way> {
-  using type = coming_samples<array_of<Graph, Array>.size, array_of<Graph, Array>.depth>;
+  static constexpr const auto& a = array_of<Graph, Array>;
+  using type = coming_samples<a.size, a.depth, a.in_a_beat>;
 };
 
 template <class Graph, int Array, storage_kind Kind = array_of<Graph, Array>.kind>

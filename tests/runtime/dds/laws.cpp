@@ -3,6 +3,7 @@
 
 #include "../../laws/cut_skeletons.hpp"
 #include "../../laws/free_running_laws.hpp"
+#include "../../laws/free_running_queue_laws.hpp"
 #include "../../laws/transport_laws.hpp"
 #include "over_dds.hpp"
 
@@ -40,5 +41,9 @@ TEST_SUITE("deployed over dds") {
     free_running_laws::has_the_bits_of_one_loop<over_dds>();
     free_running_laws::runs_freely_at_wall_clock_speed<over_dds>();
     free_running_laws::loses_contact_with_the_killed<over_dds>();
+  }
+  TEST_CASE("free-running queues: the bits of one loop, and what is lost in a wall-clock run is counted") {
+    free_running_laws::queues_have_the_bits_of_one_loop<over_dds>();
+    free_running_laws::queues_count_what_they_lose<over_dds>();
   }
 }

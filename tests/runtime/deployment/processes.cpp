@@ -16,6 +16,7 @@
 #include <cca/runtime/transports/shared_memory.hpp>
 
 #include "../../laws/free_running_laws.hpp"
+#include "../../laws/free_running_queue_laws.hpp"
 #include "../../laws/transport_laws.hpp"
 
 using namespace deployment_test;
@@ -100,6 +101,10 @@ TEST_SUITE("deployed in processes") {
     free_running_laws::has_the_bits_of_one_loop<over_shared_memory>();
     free_running_laws::runs_freely_at_wall_clock_speed<over_shared_memory>();
     free_running_laws::loses_contact_with_the_killed<over_shared_memory>();
+  }
+  TEST_CASE("free-running queues: the bits of one loop, and what is lost in a wall-clock run is counted") {
+    free_running_laws::queues_have_the_bits_of_one_loop<over_shared_memory>();
+    free_running_laws::queues_count_what_they_lose<over_shared_memory>();
   }
 
   TEST_CASE("the memory is private, and the last process removes it") {

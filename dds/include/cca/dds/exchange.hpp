@@ -10,9 +10,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <cca/dds/replica.hpp>
+#include <cca/dds/results_on_the_way.hpp>
 #include <cca/runtime/transports/manifest.hpp>
 #include <cca/runtime/environments/peers.hpp>
 #include <cca/space/space_schema.hpp>
@@ -23,15 +25,19 @@ template <class D,
           class Outputs = cca::detail::all_that_leaves<D>,
           class FreeOutputs =
               cca::detail::chosen<cca::detail::counts_of<D>.output_count, cca::detail::leaves_freely<D>>,
+          class Gathered =
+              cca::detail::chosen<cca::detail::counts_of<D>.output_count, cca::detail::leaves_gathered<D>>,
           class Free = cca::detail::free_environments<D>>
 class replicated_exchange;
 
 // Of a free-running environment two more things are sent, in a wall-clock run: the results of its cycles, to
-// the first environment, and the samples that have arrived there, from the first environment to the others.
-template <class D, int... Output, int... FreeOutput, int... Free>
+// the first environment, and the samples that have arrived there, from the first environment to the others:
+// the newest of each beat, and for queues all of them.
+template <class D, int... Output, int... FreeOutput, int... Gathered, int... Free>
 class replicated_exchange<D,
                           std::integer_sequence<int, Output...>,
                           std::integer_sequence<int, FreeOutput...>,
+                          std::integer_sequence<int, Gathered...>,
                           std::integer_sequence<int, Free...>> : public cca::detail::peers,
                                                                  private own_exchange {
 public:
@@ -74,6 +80,7 @@ private:
       if (here[e]) all.here |= std::uint64_t{1} << e;
     (all.outputs.push_back(facts_of_output<Output>()), ...);
     (all.outputs.push_back(facts_of_arrived<FreeOutput>()), ...);
+    (all.outputs.push_back(facts_of_gathered<Gathered>()), ...);
     (all.outputs.push_back(facts_of_results<Free>()), ...);
     all.manifest = cca::detail::manifest_of<D>();
     all.limits = {cca::detail::counts_of<D>.period, cca::detail::exchange<D>::calls_and_one,
@@ -120,28 +127,25 @@ private:
     facts.topic += "/arrived";
     return facts;
   }
+  template <int Number>
+  static leaving_output facts_of_gathered() {
+    leaving_output facts = facts_of_output<Number>();
+    facts.environment = 0;
+    facts.topic += "/gathered";
+    facts.type += "_numbered";
+    facts.size += 1;
+    facts.depth = cca::detail::gathered_capacity<D, Number>;
+    return facts;
+  }
   template <int E>
   static leaving_output facts_of_results() {
-    std::size_t numbers = 0;
-    std::uint64_t hash = 0;
-    for_each_result<E>([&]<int Number>() {
-      const space_schema schema(*cca::detail::output_port_of<D, Number>.space);
-      numbers += 2 + static_cast<std::size_t>(schema.field_count());
-      hash = hash * 31 + schema.hash();
-    });
+    using results = results_on_the_way<D, E>;
     return {E,
             "cca/" + std::string(cca::detail::name_of_environment<D>(E)) + "/results",
-            "cca::results_" + deployment_facts::as_text(hash),
-            numbers,
+            "cca::results_" + deployment_facts::as_text(results::hash()),
+            results::size(),
             1,
             1};
-  }
-  // f.template operator()<Number>() for each output that a free-running environment sends.
-  template <int E, class F>
-  static void for_each_result(F f) {
-    [&]<int... Number>(std::integer_sequence<int, Number...>) {
-      (f.template operator()<Number>(), ...);
-    }(cca::detail::outputs_leaving<D, E>{});
   }
   template <int Number>
   static constexpr std::uint64_t readers_of() {
@@ -237,37 +241,12 @@ private:
              (message[1] & sample_message::is_repeated) != 0);
   }
 
-  // The newest results of a free-running environment: of each output the cycle, the origin, the values. Where
-  // the first environment runs here it takes them itself.
+  // Where the first environment runs here it takes the results of cycles itself.
   template <int E>
   bool take_results(std::uint64_t& next, words& message) const {
     if (runs_first) return false;
-    const auto* const newest = own.template results<E>().take();
-    if (!newest) return false;
-    message.clear();
-    message.push_back(next++);
-    message.push_back(static_cast<std::uint64_t>(
-        std::max<std::int64_t>(own.environments[0].begun.load(std::memory_order_relaxed), 0)));
-    message.push_back(0);
-    for_each_result<E>([&]<int Number>() {
-      const auto& one = newest->template at<Number>();
-      message.push_back(one.cycle);
-      message.push_back(static_cast<std::uint64_t>(one.origin));
-      for (const double value : one.coordinates) message.push_back(std::bit_cast<std::uint64_t>(value));
-    });
-    return true;
-  }
-  template <int E>
-  void put_results(std::span<const std::uint64_t> message) {
-    own.template results<E>().put_all([&](auto& slot) {
-      std::size_t at = sample_message::head;
-      for_each_result<E>([&]<int Number>() {
-        auto& one = slot.template at<Number>();
-        one.cycle = message[at++];
-        one.origin = static_cast<std::int64_t>(message[at++]);
-        for (double& value : one.coordinates) value = std::bit_cast<double>(message[at++]);
-      });
-    });
+    const std::int64_t beat = own.environments[0].begun.load(std::memory_order_relaxed);
+    return std::get<results_on_the_way<D, E>>(sent).take(own.template results<E>(), beat, next, message);
   }
 
   bool take([[maybe_unused]] std::size_t output,
@@ -278,6 +257,8 @@ private:
     ((number++ == output ? void(has = take_from(own.template ring<Output>(), next, message)) : void()), ...);
     ((number++ == output ? void(has = take_from(own.template arrived<FreeOutput>(), next, message)) : void()),
      ...);
+    ((number++ == output ? void(has = take_from(own.template gathered<Gathered>(), next, message)) : void()),
+     ...);
     ((number++ == output ? void(has = take_results<Free>(next, message)) : void()), ...);
     return has;
   }
@@ -286,7 +267,9 @@ private:
     [[maybe_unused]] std::size_t number = 0;
     ((number++ == output ? put_into(own.template ring<Output>(), message) : void()), ...);
     ((number++ == output ? put_into(own.template arrived<FreeOutput>(), message) : void()), ...);
-    ((number++ == output ? put_results<Free>(message) : void()), ...);
+    ((number++ == output ? put_into(own.template gathered<Gathered>(), message) : void()), ...);
+    ((number++ == output ? results_on_the_way<D, Free>::put(own.template results<Free>(), message) : void()),
+     ...);
   }
 
   std::int64_t newest_beat() const override {
@@ -299,6 +282,7 @@ private:
   std::int64_t run_finished(std::size_t e) const override { return own.environments[e].finished; }
 
   std::shared_ptr<refusals> refused;
+  mutable std::tuple<results_on_the_way<D, Free>...> sent{};
   mutable bells own_rings;
   mutable cca::detail::exchange<D> own{};  // to take results changes it
   bool runs_first;

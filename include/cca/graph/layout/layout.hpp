@@ -24,6 +24,7 @@ struct sample_array {
   storage_kind kind = storage_kind::none;
   int size = 0;               // coordinates of a sample
   int depth = 0;              // of the past, of a queue, or the delay of what is on its way into one
+  int in_a_beat = 1;          // on_the_way: how many samples may be published in one beat
   clock published{};          // newest, past
   int call = -1;              // of_beat: the first call of the same function, whose result it is
   bool in_each_beat = false;  // of_beat: the result is there in each beat
@@ -33,9 +34,9 @@ struct sample_array {
   int count = 0;
 
   constexpr bool stores_like(const sample_array& other) const {
-    return kind == other.kind && size == other.size && depth == other.depth && published == other.published &&
-           call == other.call && in_each_beat == other.in_each_beat && full == other.full &&
-           counts_vary == other.counts_vary && counts_arrivals == other.counts_arrivals;
+    return kind == other.kind && size == other.size && depth == other.depth && in_a_beat == other.in_a_beat &&
+           published == other.published && call == other.call && in_each_beat == other.in_each_beat &&
+           full == other.full && counts_vary == other.counts_vary && counts_arrivals == other.counts_arrivals;
   }
 };
 
@@ -185,8 +186,10 @@ struct layout_step {
       else if (in.shows >= 0) to.sources[i] = to.sources[in.shows];
       else if (in.writer >= 0) to.sources[i] = to.outputs[in.writer];
       if (is_on_the_way(in) && !g.calls[g.outputs[in.writer].call].elsewhere)
-        to.on_the_way[i] =
-            place_in({.kind = storage_kind::on_the_way, .size = coordinates_of(g, in), .depth = in.delay});
+        to.on_the_way[i] = place_in({.kind = storage_kind::on_the_way,
+                                     .size = coordinates_of(g, in),
+                                     .depth = in.delay,
+                                     .in_a_beat = g.outputs[in.writer].in_a_beat});
     }
   }
 

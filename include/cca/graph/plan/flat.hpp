@@ -109,6 +109,7 @@ struct output {
   storage_kind storage = storage_kind::none;
   int depth = 0;         // of the past, or of what arrives
   bool leaves = false;   // another environment reads it
+  int in_a_beat = 1;     // samples; in a replay what arrived together may be more
   bool by_clock = true;  // its clock tells when its samples were published, also in other modes
   ref<item_info> initial_of = nullptr;
 };

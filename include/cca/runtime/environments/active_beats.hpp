@@ -59,7 +59,7 @@ inline constexpr auto entry_clocks = [] {
   const auto g = plan.view();
   for (int i = 0; i < g.input_count; ++i) {
     const input& in = g.inputs[i];
-    if (!is_on_the_way(in) || environment_of(g, in.call) != E) continue;
+    if (!is_queued(in) || environment_of(g, in.call) != E) continue;
     const output& from = g.outputs[in.writer];
     if (environment_of(g, from.call) != E || may_fault_at_begin(in))
       clocks.add(shifted(published(g, from), in.delay));

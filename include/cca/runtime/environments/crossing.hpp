@@ -182,7 +182,7 @@ struct enters {
   static constexpr bool holds(std::size_t way) {
     const auto& plan = plan_of<Part>;
     const input& in = plan.inputs[way];
-    return is_on_the_way(in) && !plan.calls[array_size(in.call)].elsewhere &&
+    return is_queued(in) && !plan.calls[array_size(in.call)].elsewhere &&
            plan.calls[array_size(plan.outputs[array_size(in.writer)].call)].elsewhere;
   }
 };
@@ -225,8 +225,24 @@ inline constexpr int most_waiting = [] {
   return most;
 }();
 
-// How many beats an environment may be ahead of those that read from it, and of the first one, in a fast
-// run. More than that smooths nothing: the samples of a ring stay in the caches while it is short.
+// Of a free-running environment: queues elsewhere take all samples that its cycles publish.
+template <class D, int Output>
+inline constexpr bool is_gathered = is_of_free_running<D, Output> && most_waiting<D, Output> > 0;
+
+// How many of them one beat may have at most; 0: queues do not take them all.
+template <class D>
+inline constexpr auto gathered_in_a_beat = []<int... Output>(std::integer_sequence<int, Output...>) {
+  return std::array<int, sizeof...(Output) + 1>{
+      (is_gathered<D, Output> ? 2 * most_waiting<D, Output> : 0)...};
+}(std::make_integer_sequence<int, counts_of<D>.output_count>{});
+
+template <class D>
+struct leaves_gathered {
+  static constexpr bool holds(std::size_t o) { return gathered_in_a_beat<D>[o] > 0; }
+};
+
+// How many beats an environment may be ahead of those that read from it, and of the first one, as fast as
+// possible. More than that smooths nothing: the samples of a ring stay in the caches while it is short.
 template <class D>
 inline constexpr std::int64_t most_ahead = 4 + std::min(std::ranges::max(crossings_of<D>.largest_delay), 16);
 

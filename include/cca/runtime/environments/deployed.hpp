@@ -304,6 +304,7 @@ private:
       if (!here[E]) return;
       loop.handle_fault();
       loop.settle_parts(is_faulted ? k - 1 : k);
+      if (is_faulted) loop.state.settle_queues(k - 1);
       loop.skip_to(k);
     });
     if (!is_faulted) return;

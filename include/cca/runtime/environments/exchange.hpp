@@ -45,9 +45,20 @@ struct leaving_samples {
 // Of a free-running environment also those of a wall-clock run, with the beats in which they arrived. The
 // first environment writes them.
 template <class D, int Output>
-  requires is_of_free_running<D, Output>
+  requires(is_of_free_running<D, Output> && !is_gathered<D, Output>)
 struct leaving_samples<D, Output> {
   ring_of_output<D, Output> ring, arrived;
+};
+// Where a queue takes them, all of them and not only the newest of a beat. Their last coordinate is the
+// number that the output gave them: several of one beat may be missing (free_running/gathered_samples.hpp).
+template <class D, int Output>
+inline constexpr int gathered_capacity = static_cast<int>(
+    std::bit_ceil(static_cast<unsigned>(2 * most_waiting<D, Output> * (largest_delay_of<D, Output> + 2))));
+template <class D, int Output>
+  requires(is_gathered<D, Output>)
+struct leaving_samples<D, Output> {
+  ring_of_output<D, Output> ring, arrived;
+  sample_ring<size_of_output<D, Output> + 1, gathered_capacity<D, Output>> gathered;
 };
 template <class D, int E>
 struct leaving_results {
@@ -158,6 +169,10 @@ struct exchange<D, std::integer_sequence<int, Output...>, std::integer_sequence<
   template <int Number>
   auto& ring() {
     return static_cast<leaving_samples<D, Number>&>(*this).ring;
+  }
+  template <int Number>
+  auto& gathered() {
+    return static_cast<leaving_samples<D, Number>&>(*this).gathered;
   }
   // Of a free-running environment, in a wall-clock run: what has arrived, and what its cycles publish.
   template <int Number>

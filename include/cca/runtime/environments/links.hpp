@@ -13,7 +13,7 @@
 #include <cca/runtime/environments/parts/part_requests.hpp>
 #include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
-#include <cca/runtime/environments/queues/ways_from_elsewhere.hpp>
+#include <cca/runtime/environments/queues/entries_in_beat.hpp>
 #include <cca/runtime/environments/samples/receive_samples.hpp>
 #include <cca/runtime/recording/beat_tap.hpp>
 
@@ -33,8 +33,10 @@ class environment_links<D,
                         std::integer_sequence<int, Arriving...>,
                         std::integer_sequence<int, Way...>>
     : next_arrival<D, Arriving>...,
-      public next_by_way<D, Way, is_of_free_running<D, input_of<part<D, E>, Way>.writer>>...,
-      public time_of_cycles<is_free_running<D, E>> {
+      public ways_of<environment_links<D, E>, D, E>,
+      public time_of_cycles<is_free_running<D, E>>,
+      public entries_in_beat<environment_links<D, E>, D, E> {
+  friend entries_in_beat<environment_links, D, E>;
   static constexpr bool is_free = is_free_running<D, E>;
 
 public:
@@ -63,10 +65,6 @@ public:
     (receive_one<Arriving>(state, k, k), ...);
     if constexpr (has_parts) received = k + 1;
   }
-
-  // The queues of this environment begin with what arrives in beat k or later. Only in an environment that
-  // joins others which have been running is there anything older.
-  void begin_queues([[maybe_unused]] std::int64_t k) noexcept { (skip_arrived<Way>(k), ...); }
 
   // Beat k was cut or skipped: what should have left by a known clock leaves again.
   void repeat_leaving(std::int64_t k) noexcept {
@@ -150,7 +148,10 @@ public:
 
   // Nothing has gone wrong elsewhere before this call. False: the beat ends here.
   template <int Rank>
-  CCA_INLINE bool is_due(std::int64_t k, [[maybe_unused]] trace_track* track) noexcept {
+  CCA_INLINE bool is_due(std::int64_t k,
+                         [[maybe_unused]] beat_outcome& outcome,
+                         [[maybe_unused]] trace_track* track) noexcept {
+    if (!this->template enter_what_may_be_rejected<Rank>(outcome, k)) return false;
     if constexpr (((needed<Other>(Rank) > (Rank == 0 ? 0 : needed<Other>(Rank - 1))) || ...))
       if (is_exact) {
         (wait_for<Other>(beat_at(k), Rank), ...);
@@ -159,6 +160,7 @@ public:
       }
     if constexpr ((is_taken_at<Rank, Arriving>() || ...))
       if (is_exact && !is_cut) (take_at_once<Rank, Arriving>(beat_at(k)), ...);
+    if (!this->template enter_before<Rank>(outcome, k)) return false;
     if constexpr (((needed<Other>(Rank) > 0) || ...)) return !is_cut;
     else return true;
   }
@@ -179,8 +181,7 @@ public:
   }
   template <int Rank>
   CCA_INLINE bool is_faulted() noexcept {
-    fault_rank = order.whole_rank[array_size(Rank)];
-    return false;
+    return fault_rank = order.whole_rank[array_size(Rank)], false;
   }
   // What arrived when beat k began has entered the queues. `outcome`: one was full and rejects it.
   CCA_INLINE bool have_entered([[maybe_unused]] std::int64_t k,
@@ -236,15 +237,6 @@ private:
     receive_samples<D, E, Output>(state, static_cast<next_arrival<D, Output>&>(*this), k, end, came);
   }
 
-  template <int OfWay>
-  void skip_arrived(std::int64_t k) noexcept {
-    constexpr const input& in = input_of<part<D, E>, OfWay>;
-    const auto& ring = shared->template ring<in.writer>();
-    typename std::remove_cvref_t<decltype(ring)>::sample old;
-    auto& next = static_cast<next_by_way<D, OfWay>&>(*this);
-    while (next.newest < 0 && ring.take(next.number, k - in.delay, old)) {}
-  }
-
   template <int Output>
   void repeat_one(std::int64_t k) noexcept {
     if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
@@ -265,8 +257,8 @@ private:
   template <int X, int Output, class Next>
   bool is_here(std::int64_t k, const Next& next) const noexcept {
     if constexpr (environment_of_output<Output> != X) return true;
-    const std::int64_t beat = newest_tick(published_of<D, Output>, k);
-    return next.newest >= beat || shared->template ring<Output>().has(next.number, beat);
+    const std::int64_t due = newest_tick(published_of<D, Output>, k);
+    return next.newest >= due || shared->template ring<Output>().has(next.number, due);
   }
   // All samples of X up to beat k.
   template <int X>
@@ -290,9 +282,13 @@ private:
   }
   template <int X>
   void wait_for(std::int64_t k, int rank) noexcept {
-    const auto from = exchange<D>::position_of(k, needed<X>(rank));
-    const auto here = exchange<D>::position_of(k, order.whole_rank[array_size(rank)]);
-    if (needed<X>(rank) == 0) return;
+    if (needed<X>(rank) > 0) wait_until<X>(k, needed<X>(rank), order.whole_rank[array_size(rank)]);
+  }
+  // Until the call before `done` is over, for one of this rank.
+  template <int X>
+  void wait_until(std::int64_t k, int done, int rank) noexcept {
+    const auto from = exchange<D>::position_of(k, done);
+    const auto here = exchange<D>::position_of(k, rank);
     for (learned_patience patience = be_patient(); !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
       is_cut = shared->fault_position() <= here || shared->stop_at() <= k;
@@ -325,6 +321,10 @@ inline constexpr bool may_be_cut<part<D, E>> = true;
 template <class D>
 struct told_for_others<part<D, 0>> {
   static constexpr bool holds(std::size_t o) { return leaves_freely<D>::holds(o); }
+};
+template <class D>
+struct told_earlier<part<D, 0>> {
+  static constexpr int most(std::size_t o) { return gathered_in_a_beat<D>[o]; }
 };
 
 // The state of a part has its links, which the beat finds by its context.

@@ -4,6 +4,9 @@
 //   0                the beat
 //   origin[output]   its time of origin; `never`: not published in this beat
 //   at[output]       its coordinates
+//   earlier[output]  of a free-running environment, where queues take all that its cycles publish: how many
+//                    arrived in this beat before this one, how many are missing, and the origins and
+//                    coordinates of the first
 //
 // The loop of an environment has only the outputs of its own components; that of the first one also what has
 // come from free-running environments. All modes of a set have the same
@@ -28,6 +31,7 @@ struct frame_layout {
   std::array<int, array_size(Outputs + 1)> at{};
   std::array<int, array_size(Outputs + 1)> size{};           // coordinates
   std::array<bool, array_size(Outputs + 1)> in_each_beat{};  // surely published
+  std::array<int, array_size(Outputs + 1)> earlier{};        // 0: none
   int origins = 0;                                           // in the words from 1 on
   int words = 0;
 };
@@ -40,6 +44,12 @@ inline constexpr bool may_be_cut = counts_of<Graph>.may_fault;
 template <class Graph>
 struct told_for_others {
   static constexpr bool holds(std::size_t) { return false; }
+};
+
+// Of an output how many samples of one beat it may tell of before the newest.
+template <class Graph>
+struct told_earlier {
+  static constexpr int most(std::size_t) { return 0; }
 };
 
 template <class Graph>
@@ -62,6 +72,10 @@ inline constexpr auto frame_layout_of = [] {
     frame.in_each_beat[o] = published(port, call).every_beat() && !may_be_cut<Graph>;
     frame.at[o] = frame.words;
     frame.words += frame.size[o];
+    if (const int most = told_earlier<Graph>::most(o); most > 0) {
+      frame.earlier[o] = frame.words;
+      frame.words += 2 + most * (1 + frame.size[o]);
+    }
   }
   frame.words = (frame.words + 7) / 8 * 8;  // whole lines of the cache
   return frame;

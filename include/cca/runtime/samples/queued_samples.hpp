@@ -97,35 +97,54 @@ private:
 
 // ---- on_the_way ----
 
+// How many samples are missing before this one: only where several of one beat are played again.
+template <bool IsPlayed>
+struct missing_samples {
+  static constexpr std::int64_t missing = 0;
+};
+template <>
+struct missing_samples<true> {
+  std::int64_t missing = 0;
+};
+
 // Samples of a delayed wire that have not yet entered the queue at its end. A component publishes at most one
-// in a beat, and those that have arrived leave when a beat begins: so there are never more than `Delay`.
-template <int Size, int Delay>
+// in a beat, and those that have arrived leave when a beat begins: so there are never more than `Delay`. In a
+// replay they may be `InABeat` times as many.
+template <int Size, int Delay, int InABeat = 1>
 class coming_samples {
 public:
-  struct sample : stored_sample<Size> {
+  struct sample : stored_sample<Size>, missing_samples<(InABeat > 1)> {
     std::int64_t published_in = -1;
   };
 
   template <class Vector>
   CCA_INLINE void put(const Vector& v, std::int64_t origin, std::int64_t k) {
     const int at = head + count;
-    sample& s = ring[at < Delay ? at : at - Delay];
+    sample& s = ring[at < room ? at : at - room];
     s.store(v, origin);
     s.published_in = k;
     ++count;
+  }
+  template <class Vector>
+  void put_after(std::int64_t missing, const Vector& v, std::int64_t origin, std::int64_t k) {
+    const int at = head + count;
+    put(v, origin, k);
+    ring[at < room ? at : at - room].missing = missing;
   }
   // The oldest, if it has arrived when beat k begins.
   CCA_INLINE const sample* next(std::int64_t k) const {
     return count > 0 && ring[head].published_in + Delay <= k ? &ring[head] : nullptr;
   }
   CCA_INLINE void remove() {
-    head = head + 1 == Delay ? 0 : head + 1;
+    head = head + 1 == room ? 0 : head + 1;
     --count;
   }
   void forget() { head = count = 0; }
 
 private:
-  sample ring[array_size(Delay)];
+  static constexpr int room = Delay * InABeat;
+
+  sample ring[array_size(room)];
   int head = 0, count = 0;
 };
 

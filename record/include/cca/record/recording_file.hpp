@@ -8,7 +8,10 @@
 // - /cca/fault: component and reason
 // - /cca/mode: of a set of modes: the mode, at the start and where it changes
 // - /cca/part: parts that may be stopped: where one is stopped or started
-// - /cca/free_running: the first beat of a wall-clock run, in which environments ran freely
+// - /cca/free_running: from which beat on free-running environments ran in a wall-clock run
+// - /cca/dropped: of a free-running environment: samples of a port that came in one beat and that no queue
+// has
+//   room for, between those that are written
 // - /cca/late, /cca/skipped: of a deployment: samples that came late, beats that an environment left out
 // - /cca/lost: beats that did not fit into the ring
 //
@@ -46,7 +49,8 @@ inline constexpr std::string_view state_topic = "/cca/state", fault_topic = "/cc
                                   lost_topic = "/cca/lost", mode_topic = "/cca/mode",
                                   part_topic = "/cca/part", freely_topic = "/cca/free_running",
                                   late_topic = "/cca/late", skipped_topic = "/cca/skipped",
-                                  parameter_topics = "/cca/parameters/", viewer_topics = "/ros2";
+                                  dropped_topic = "/cca/dropped", parameter_topics = "/cca/parameters/",
+                                  viewer_topics = "/ros2";
 
 // "dmp", "dmp.status", "dmp.*" or "*".
 inline bool is_in_scope(std::string_view path, std::string_view scope) {
@@ -113,9 +117,11 @@ public:
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
       if (s.viewer_hz > 0) body.emplace(file, cca::detail::space_of_output<Graph>);
-    if constexpr (cca::detail::has_free_running<Graph>)
+    if constexpr (cca::detail::has_free_running<Graph>) {
       freely = file.channel(freely_topic, "cca/msg/free_running",
                             "int64 beat  # from which on they ran at wall-clock speed\n");
+      dropped = file.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n");
+    }
     if (!of.modes.empty())
       mode = file.channel(mode_topic, "cca/msg/mode",
                           "int64 beat  # from which on it is active\nstring mode\n"
@@ -135,13 +141,9 @@ public:
     for (int o = 0; o < output_count; ++o) {
       const std::size_t at = cca::detail::array_size(o);
       if (ports[at] == 0 || layout.origin[at] < 0) continue;
-      const std::int64_t origin = frame[layout.origin[at]];
-      if (origin == never) continue;
-      message.clear();
-      message.add(std::uint32_t{0x0100}).add(k).add(origin);
-      message.add_raw(frame + layout.at[at], 8u * static_cast<std::size_t>(layout.size[at]));
-      file.message(ports[at], time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
-                   message.view());
+      if (layout.earlier[at] > 0) write_earlier(o, frame + layout.earlier[at], layout.size[at], k);
+      if (const std::int64_t origin = frame[layout.origin[at]]; origin != never)
+        write_sample(o, origin, frame + layout.at[at], layout.size[at], k);
     }
     if (body) body->write(file, frame, layout, k * period, view_period);
     for (view& v : views) {
@@ -191,6 +193,25 @@ private:
                         sample_metadata(space));
   }
 
+  void write_sample(int o, std::int64_t origin, const std::int64_t* coordinates, int size, std::int64_t k) {
+    message.clear();
+    message.add(std::uint32_t{0x0100}).add(k).add(origin);
+    message.add_raw(coordinates, 8u * static_cast<std::size_t>(size));
+    file.message(ports[cca::detail::array_size(o)], time_of(k),
+                 origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin), message.view());
+  }
+  // Of a free-running environment, in the same beat.
+  void write_earlier(int o, const std::int64_t* earlier, int size, std::int64_t k) {
+    const std::int64_t* const end = earlier + 2 + earlier[0] * (1 + size);
+    for (const std::int64_t* one = earlier + 2; one < end; one += 1 + size)
+      write_sample(o, one[0], one + 1, size, k);
+    if (earlier[1] == 0) return;
+    unsigned char memory[512];
+    cdr_writer to(memory);
+    to.add(k).add(earlier[1]).add(std::string_view(cca::detail::path_of_output<Graph>(o)).substr(0, 400));
+    file.message(dropped, time_of(k), time_of(k), to.view());
+  }
+
   // What a viewer draws of an output, at most `viewer_hz` times a second.
   struct view {
     int output;
@@ -217,7 +238,8 @@ private:
   std::vector<view> views;
   std::int64_t view_period = 0;
   static constexpr bool has_environments = Deployment<Graph>;
-  std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, part = 0, freely = 0, late = 0, skipped = 0;
+  std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, part = 0, freely = 0, late = 0, skipped = 0,
+                dropped = 0;
   byte_writer message;
 };
 

@@ -65,6 +65,12 @@ constexpr bool may_fault_in(const flat_view& g, const call& c) {
 constexpr bool may_fault_at_begin(const input& way) {
   return is_on_the_way(way) && way.wire->full == full_kind::reject;
 }
+// What is published elsewhere enters this queue in the same beat: one of the two environments is
+// free-running.
+constexpr bool crosses_at_once(const flat_view& g, const input& way) {
+  return is_queued(way) && way.delay == 0 &&
+         environment_of(g, way.call) != environment_of(g, g.outputs[way.writer].call);
+}
 
 // Keeps the calls of one environment, in their order.
 constexpr flat_view take_part(flat_view g, int environment) {
@@ -85,7 +91,8 @@ constexpr flat_view take_part(flat_view g, int environment) {
     auto& in = g.inputs[i];
     in.in_beat = in.known_now = in.own_initial = false;
     in.watched &= is_here(in.call);
-    g.may_fault |= may_fault_at_begin(in) && !g.calls[in.call].elsewhere;
+    g.may_fault |= !g.calls[in.call].elsewhere &&
+                   (may_fault_at_begin(in) || (crosses_at_once(g, in) && in.wire->full == full_kind::reject));
   }
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];

@@ -1,7 +1,8 @@
 // What the cycles of a free-running environment publish, on its way to the beat in a wall-clock run: of each
-// output the newest sample. One writer, its thread; one reader, the first environment, when a beat begins.
-// Both are wait-free: each has a slot of its own, and they exchange it for the one in between. All samples of
-// a cycle come together, and a sample that a later cycle does not publish again is not lost.
+// output the newest sample, and for queues all of them (gathered_samples.hpp). One writer, its thread; one
+// reader, the first environment, when a beat begins. Both are wait-free: each has a slot of its own, and they
+// exchange it for the one in between. All samples of a cycle come together, and a sample that a later cycle
+// does not publish again is not lost.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <cca/base/array_size.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/runtime/environments/crossing.hpp>
+#include <cca/runtime/environments/free_running/gathered_samples.hpp>
 
 namespace cca::detail {
 
@@ -34,6 +36,24 @@ template <class D, int... E>
 struct leaves_freely<D, std::integer_sequence<int, E...>> {
   static constexpr bool holds([[maybe_unused]] std::size_t o) { return (leaves_from<D, E>::holds(o) || ...); }
 };
+
+// Of an output the samples that queues in other environments take; else nothing.
+template <class D, int Output>
+struct no_gathered_samples {
+  void put(std::int64_t, const auto&) {}
+  void follow(const no_gathered_samples&, bool, std::uint64_t) {}
+  static std::uint64_t end() { return 0; }
+};
+template <class D, int Output>
+struct gathered_of_output : gathered_samples<size_of_output<D, Output>, most_waiting<D, Output>> {
+  template <class Vector>
+  void put(std::int64_t origin, const Vector& v) {
+    this->put_numbered(this->end(), origin, v);
+  }
+};
+template <class D, int Output>
+using gathered_or_none =
+    std::conditional_t<is_gathered<D, Output>, gathered_of_output<D, Output>, no_gathered_samples<D, Output>>;
 
 template <class D, int Output>
 struct result_of_cycle {
@@ -57,7 +77,15 @@ class cycle_results;
 template <class D, int E, int... Output>
 class cycle_results<D, E, std::integer_sequence<int, Output...>> {
 public:
-  struct slot : result_of_cycle<D, Output>... {
+  struct slot : result_of_cycle<D, Output>..., gathered_or_none<D, Output>... {
+    template <int Number>
+    auto& gathered() {
+      return static_cast<gathered_or_none<D, Number>&>(*this);
+    }
+    template <int Number>
+    const auto& gathered() const {
+      return static_cast<const gathered_or_none<D, Number>&>(*this);
+    }
     template <int Number>
     auto& at() {
       return static_cast<result_of_cycle<D, Number>&>(*this);
@@ -76,6 +104,7 @@ public:
   template <int Number, class Vector>
   void put(const Vector& v, std::int64_t origin) noexcept {
     slots[own].template at<Number>().put(cycles.load(std::memory_order_relaxed) + 1, origin, v);
+    slots[own].template gathered<Number>().put(origin, v);
     has_news.store(true, std::memory_order_relaxed);
   }
   void end_cycle() noexcept {
@@ -105,8 +134,20 @@ private:
   static constexpr std::uint32_t number = 3, fresh = 4;
 
   void hand_over() noexcept {
+    const std::uint32_t before = newest;
     newest = std::uint32_t{own};
-    own = between.exchange(own | fresh, std::memory_order_acq_rel) & number;
+    const std::uint32_t got = between.exchange(own | fresh, std::memory_order_acq_rel);
+    own = got & number;
+    // Nobody changes what was handed over, so it can still be read, also beside the reader.
+    (follow<Output>(!(got & fresh), slots[before]), ...);
+  }
+  // What the reader has not taken yet is in the next slot, too. It has taken what was handed over before the
+  // newest.
+  template <int Number>
+  void follow(bool is_taken, const slot& before) noexcept {
+    if constexpr (is_gathered<D, Number>)
+      slots[own].template gathered<Number>().follow(slots[newest].template gathered<Number>(), is_taken,
+                                                    before.template gathered<Number>().end());
   }
 
   // An output that this cycle did not publish: its newest sample is in the slot of an earlier one. Nobody

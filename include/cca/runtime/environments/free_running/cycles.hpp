@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 #include <cca/runtime/environments/free_running/free_arrivals.hpp>
 #include <cca/runtime/pace.hpp>
@@ -119,7 +120,9 @@ protected:
   void admit() noexcept { arrivals.admit(loop().shared(), loop().k); }
   // In the frame of this beat, of which they are.
   void tell_arrivals() noexcept {
-    if (loop().state.is_exact || !loop().state.tap.get()) return;
+    if (!loop().state.tap.get()) return;
+    tell_gathered();
+    if (loop().state.is_exact) return;
     arrivals.for_each([this]<int Output>(const auto& coordinates, std::int64_t origin) {
       tell_recorder<part<D, E>>(loop().state.frame, Output, coordinates, origin);
     });
@@ -136,6 +139,27 @@ protected:
 
 private:
   Loop& loop() { return static_cast<Loop&>(*this); }
+
+  // Those before the newest of each output that queues take.
+  void tell_gathered() noexcept {
+    std::int64_t* const frame = loop().state.frame;
+    static constexpr const auto& layout = frame_layout_of<part<D, E>>;
+    for (const int at : layout.earlier)
+      if (at > 0) frame[at] = frame[at + 1] = 0;
+    if (loop().state.is_exact) return;
+    arrivals.for_each_gathered([&]<int Output>(const auto& all, std::uint64_t first, std::uint64_t missing) {
+      std::int64_t* const to = frame + layout.earlier[array_size(Output)];
+      std::int64_t* next = to + 2;
+      to[1] = static_cast<std::int64_t>(missing);
+      all.for_each_from(first, [&](const auto& one) {
+        if (one.number + 1 == all.end()) return;  // it is told as any other
+        ++to[0];
+        *next++ = one.origin;
+        std::memcpy(next, one.coordinates.data(), sizeof one.coordinates);
+        next += one.coordinates.size();
+      });
+    });
+  }
 
   free_arrivals<D> arrivals{};
   std::int64_t asked_at = 0;

@@ -19,8 +19,10 @@ class arrivals_from<D, E, std::integer_sequence<int, Output...>> {
 public:
   // A fast run begins: what has not arrived yet never does.
   void forget(exchange<D>& shared) noexcept {
-    if (const auto* const last = shared.template results<E>().take())
+    if (const auto* const last = shared.template results<E>().take()) {
       (void(seen[index<Output>] = last->template at<Output>().cycle), ...);
+      (void(gathered[index<Output>].from = last->template gathered<Output>().end()), ...);
+    }
     news = nullptr;
   }
   // Beat k begins.
@@ -28,7 +30,8 @@ public:
     news = shared.template results<E>().take();
     if (news) (admit_one<Output>(shared, k), ...);
   }
-  // f.template operator()<Output>(coordinates, origin) for each sample that arrived in this beat.
+  // f.template operator()<Output>(coordinates, origin) for the newest of each output that arrived in this
+  // beat.
   template <class F>
   void for_each(F f) const {
     if (!news) return;
@@ -38,7 +41,21 @@ public:
      ...);
   }
 
+  // f.template operator()<Output>(samples, number of the first, how many are missing) for the outputs of
+  // which queues take all that arrived in this beat.
+  template <class F>
+  void for_each_gathered(F f) const {
+    if (news) (tell_gathered<Output>(f), ...);
+  }
+
 private:
+  template <int Number, class F>
+  void tell_gathered([[maybe_unused]] F& f) const {
+    if constexpr (is_gathered<D, Number>)
+      if (is_new[index<Number>])
+        f.template operator()<Number>(news->template gathered<Number>(), gathered[index<Number>].begins,
+                                      gathered[index<Number>].missing);
+  }
   template <int Number>
   static constexpr std::size_t index = [] {
     std::size_t at = 0;
@@ -53,11 +70,35 @@ private:
     if (!is_new[index<Number>]) return;
     seen[index<Number>] = result.cycle;
     shared.template arrived<Number>().put(result.vector(), result.origin, k);
+    if constexpr (is_gathered<D, Number>) gather_one<Number>(shared, k);
+  }
+  // For queues all of them, with their numbers.
+  template <int Number>
+  void gather_one(exchange<D>& shared, std::int64_t k) noexcept {
+    Eigen::Matrix<double, size_of_output<D, Number> + 1, 1> numbered;
+    const auto& all = news->template gathered<Number>();
+    gathered_numbers& at = gathered[index<Number>];
+    if (all.end() < at.from) at.from = at.counted = 0;  // its process has begun anew
+    at.begins = at.from;
+    std::uint64_t came = 0;
+    all.for_each_from(at.begins, [&](const auto& one) {
+      ++came;
+      numbered << one.vector(), static_cast<double>(one.number);
+      shared.template gathered<Number>().put(numbered, one.origin, k);
+    });
+    at.missing = all.end() - at.counted - came;
+    at.from = at.counted = all.end();
   }
 
   const typename cycle_results<D, E>::slot* news = nullptr;
   std::array<std::uint64_t, sizeof...(Output) + 1> seen{};  // the cycle of the newest that arrived
   std::array<bool, sizeof...(Output) + 1> is_new{};
+  struct gathered_numbers {
+    std::uint64_t from = 0, counted = 0;  // the next sample; and the next that has not been counted
+    std::uint64_t begins = 0;             // the first that arrived in this beat
+    std::uint64_t missing = 0;            // how many that have not been counted before do not come
+  };
+  std::array<gathered_numbers, sizeof...(Output) + 1> gathered{};
 };
 
 // Of all of them.
@@ -74,6 +115,10 @@ struct free_arrivals<D, std::integer_sequence<int, E...>> : arrivals_from<D, E>.
   template <class F>
   void for_each([[maybe_unused]] F f) const {
     (static_cast<const arrivals_from<D, E>&>(*this).for_each(f), ...);
+  }
+  template <class F>
+  void for_each_gathered([[maybe_unused]] F f) const {
+    (static_cast<const arrivals_from<D, E>&>(*this).for_each_gathered(f), ...);
   }
 };
 

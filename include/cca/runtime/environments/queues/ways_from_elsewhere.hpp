@@ -18,59 +18,167 @@ struct next_by_way {
   std::uint64_t number = 0;
   std::int64_t newest = -1;
 };
-// From a free-running environment: also of what has arrived in a wall-clock run.
+// From a free-running environment also of what has come in a wall-clock run: its place in the ring, and the
+// number that its output gave it.
 template <class D, int Way>
 struct next_by_way<D, Way, true> : next_by_way<D, Way> {
-  std::uint64_t arrived = 0;
+  static constexpr std::uint64_t unknown = ~std::uint64_t{0};  // it has joined others that ran before
+  std::uint64_t gathered = 0, gathered_number = 0;
 };
 
 template <class D, int E, int Way, class State>
   requires(enters<part<D, E>>::holds(std::size_t{Way}))
 struct end_of_way<part<D, E>, Way, State> {
   static constexpr const input& in = input_of<part<D, E>, Way>;
-  using ring_type = std::remove_cvref_t<decltype(std::declval<exchange<D>&>().template ring<in.writer>())>;
+  static constexpr int size = size_of_output<D, in.writer>;
+  struct sample {
+    std::int64_t published_in = -1, origin = 0;  // beat, ns
+    Eigen::Matrix<double, size, 1> vector;
+  };
 
-  end_of_way(State& s, std::int64_t k) : state(s) { fetch(k); }
+  // In a beat come only those of ways without delay.
+  end_of_way(State& s, std::int64_t k, bool in_beat) : state(s), is_in_beat(in_beat) { fetch(k); }
 
-  const typename ring_type::sample* next(std::int64_t) const { return has_come ? &came : nullptr; }
+  const sample* next(std::int64_t) const { return has_come ? &came : nullptr; }
   void enter(beat_outcome& outcome, std::int64_t k) {
     put_into_queue<part<D, E>, Way>(state, outcome, came.vector, came.origin, k);
     fetch(k);
   }
 
 private:
-  void fetch(std::int64_t index) {
-    std::int64_t k = index;
-    if constexpr (is_free_running<D, E>) k = state.beat;
-    auto& from = static_cast<next_by_way<D, Way, is_from_free>&>(state);
-    has_come = false;
-    fetch(state.shared->template ring<in.writer>(), from.number, k);
-    if constexpr (is_from_free)
-      if (!has_come) fetch(state.shared->template arrived<in.writer>(), from.arrived, k);
+  static constexpr bool is_from_free = is_of_free_running<D, in.writer>;
+  using ring_type = std::remove_cvref_t<decltype(std::declval<exchange<D>&>().template ring<in.writer>())>;
+
+  // What was published before this beat has come.
+  std::int64_t end_at(std::int64_t k) const {
+    if constexpr (is_free_running<D, E>) {
+      // A cycle begins with all that is there.
+      if (in.delay == 0 && !state.is_exact) return no_position;
+      k = state.beat;
+    }
+    return in.delay > 0 ? k - in.delay + 1 : k + is_in_beat;
   }
-  void fetch(const ring_type& ring, std::uint64_t& number, std::int64_t k) {
-    // The number bounds a beat beside a writer that goes on publishing: the rest comes in the next one.
-    for (; !has_come && left > 0; --left) {
-      const std::uint64_t expected = number;
-      const bool is_due = ring.take(number, k - in.delay + 1, came);
-      const auto lost = static_cast<std::int64_t>(number - expected) - is_due;
-      if (lost > 0) queue().lose(lost);
+  void fetch(std::int64_t k) {
+    has_come = false;
+    fetch_published(end_at(k));
+    if constexpr (is_from_free)
+      if (!has_come) fetch_gathered(end_at(k));
+  }
+  // The number bounds a beat beside a writer that goes on publishing: the rest comes in the next one.
+  void fetch_published(std::int64_t end) {
+    auto& from = static_cast<next_by_way<D, Way>&>(state);
+    const auto& ring = state.shared->template ring<in.writer>();
+    for (typename ring_type::sample one; !has_come && left > 0; --left) {
+      const std::uint64_t expected = from.number;
+      const bool is_due = ring.take(from.number, end, one);
+      lose(from.number - expected - is_due);
       if (!is_due) return;
-      static_cast<next_by_way<D, Way>&>(state).newest = came.published_in;
-      has_come = !came.is_repeated;
+      from.newest = one.published_in;
+      if (!one.is_repeated) come(one.published_in, one.origin, one.vector);
     }
   }
-  auto& queue() const {
+  void fetch_gathered(std::int64_t end)
+    requires(is_from_free)
+  {
+    auto& from = static_cast<next_by_way<D, Way, true>&>(state);
+    const auto& ring = state.shared->template gathered<in.writer>();
+    typename std::remove_cvref_t<decltype(ring)>::sample one;
+    if (left-- <= 0 || !ring.take(from.gathered, end, one)) return;
+    const auto number = static_cast<std::uint64_t>(one.vector[size]);
+    if (from.gathered_number != from.unknown && number > from.gathered_number)
+      lose(number - from.gathered_number);
+    from.gathered_number = number + 1;
+    come(one.published_in, one.origin, one.vector.template head<size>());
+  }
+  template <class Vector>
+  void come(std::int64_t published_in, std::int64_t origin, const Vector& v) {
+    came.published_in = published_in;
+    came.origin = origin;
+    came.vector = v;
+    has_come = true;
+  }
+  void lose(std::uint64_t samples) {
     constexpr place at = layout_of<part<D, E>>.sources[Way];
-    return sample_in<part<D, E>, at.array>(state, at.index);
+    if (samples > 0)
+      sample_in<part<D, E>, at.array>(state, at.index).lose(static_cast<std::int64_t>(samples));
   }
 
-  static constexpr bool is_from_free = is_of_free_running<D, in.writer>;
+  static constexpr int most_at_once = [] {
+    if constexpr (is_from_free) return 2 * (ring_type::capacity + gathered_capacity<D, in.writer>);
+    else return 2 * ring_type::capacity;
+  }();
 
   State& state;
-  typename ring_type::sample came;
-  bool has_come = false;
-  int left = 2 * ring_type::capacity;
+  sample came;
+  bool is_in_beat, has_come = false;
+  int left = most_at_once;
 };
+
+// The ways of an environment. `Links` is environment_links.
+template <class Links, class D, int E, class Ways = ways_from_elsewhere<part<D, E>>>
+class ways_of;
+template <class Links, class D, int E, int... Way>
+class ways_of<Links, D, E, std::integer_sequence<int, Way...>>
+    : public next_by_way<D, Way, is_of_free_running<D, input_of<part<D, E>, Way>.writer>>... {
+public:
+  // The queues of this environment begin with what arrives in beat k or later. Only in an environment that
+  // joins others which have been running is there anything older.
+  void begin_queues([[maybe_unused]] std::int64_t k) noexcept { (skip_arrived<Way>(k), ...); }
+
+private:
+  template <int One>
+  void skip_arrived(std::int64_t k) noexcept {
+    constexpr const input& in = input_of<part<D, E>, One>;
+    auto& shared = *static_cast<Links&>(*this).shared;
+    auto& next = static_cast<next_by_way<D, One, is_of_free_running<D, in.writer>>&>(*this);
+    if (next.newest < 0) skip(shared.template ring<in.writer>(), next.number, k - in.delay);
+    if constexpr (is_of_free_running<D, in.writer>) {
+      if (next.gathered_number > 0 || k == 0) return;
+      skip(shared.template gathered<in.writer>(), next.gathered, k - in.delay);
+      next.gathered_number = next.unknown;
+    }
+  }
+  template <class Ring>
+  static void skip(const Ring& ring, std::uint64_t& number, std::int64_t end) noexcept {
+    typename Ring::sample old;
+    while (ring.take(number, end, old)) {}
+  }
+};
+
+// The ways without delay into the queue of an input whose writers come before a call of this environment in
+// the order of the whole.
+template <class D, int E, int Input, int Rank>
+struct leads_at_once {
+  static constexpr bool holds(std::size_t way) {
+    if (!leads_into<part<D, E>, Input>::holds(way)) return false;
+    auto plan = plan_of<D>;
+    const flat_view g = plan.view();
+    return crosses_at_once(g, g.inputs[way]) && g.calls[g.outputs[g.inputs[way].writer].call].rank < Rank;
+  }
+};
+
+// The queues that such a way leads into.
+template <class D, int E>
+struct is_entered_at_once {
+  static constexpr bool holds(std::size_t i) {
+    auto plan = plan_of<D>;
+    const flat_view g = plan.view();
+    bool found = false;
+    if (is_queued(g.inputs[i]) && g.inputs[i].way_of < 0 && environment_of(g, g.inputs[i].call) == E)
+      for_each_way(g, static_cast<int>(i), [&](const input& way) { found |= crosses_at_once(g, way); });
+    return found;
+  }
+};
+template <class D, int E>
+using queues_entered_at_once =
+    chosen<counts_of<D>.queue_count == 0 ? 0 : counts_of<D>.input_count, is_entered_at_once<D, E>>;
+
+// What was published in beat k by calls before `Rank` of the whole enters one of them.
+template <class D, int E, int Input, int Rank, class State>
+void enter_at_once(State& state, beat_outcome& outcome, std::int64_t k) {
+  entries_of_queue<part<D, E>, State, chosen<counts_of<D>.input_count, leads_at_once<D, E, Input, Rank>>>(
+      state, k, true)
+      .enter(outcome, k);
+}
 
 }  // namespace cca::detail

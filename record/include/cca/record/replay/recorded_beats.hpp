@@ -40,7 +40,9 @@ struct recorded_item {
   std::int64_t beat = 0;
   std::optional<recorded_sample> sample{};
   std::optional<recorded_event> event{};
-  std::int64_t lost = 0;  // beats
+  std::int64_t lost = 0;     // beats
+  std::int64_t dropped = 0;  // samples of this output, in this beat
+  int dropped_by = 0;
 };
 
 template <class Graph>
@@ -82,7 +84,20 @@ public:
   }
 
 private:
-  enum class use_kind { none, sample, parameters, state, fault, lost, mode, part, freely, late, skipped };
+  enum class use_kind {
+    none,
+    sample,
+    parameters,
+    state,
+    fault,
+    lost,
+    mode,
+    part,
+    freely,
+    late,
+    skipped,
+    dropped
+  };
   struct channel_use {
     use_kind what = use_kind::none;
     int number = 0;  // of the output, of the node
@@ -150,6 +165,7 @@ private:
     if (topic == freely_topic) use.what = use_kind::freely;
     if (topic == late_topic) use.what = use_kind::late;
     if (topic == skipped_topic) use.what = use_kind::skipped;
+    if (topic == dropped_topic) use.what = use_kind::dropped;
     if (use.what != use_kind::none && channel.encoding != "cdr")
       throw refused(called + ": the messages of " + topic + " are encoded as `" +
                     channel.encoding.substr(0, 40) + "`, not as `cdr`: another tool has converted them");
@@ -175,6 +191,14 @@ private:
       item.lost = from.number<std::int64_t>();
       if constexpr (Deployment<Graph>) from.text();
       return from.is_at_end();
+    }
+    if (use.what == use_kind::dropped) {
+      item.dropped = from.number<std::int64_t>();
+      const std::string path(from.text());
+      item.dropped_by = -1;
+      for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o)
+        if (path == cca::detail::path_of_output<Graph>(o)) item.dropped_by = o;
+      return from.is_at_end() && item.dropped_by >= 0 && item.dropped > 0;
     }
     recorded_event& e = item.event.emplace();
     if (use.what == use_kind::parameters) {

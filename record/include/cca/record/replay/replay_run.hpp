@@ -14,6 +14,7 @@
 #include <cca/record/replay/compared_outputs.hpp>
 #include <cca/record/replay/recorded_beats.hpp>
 #include <cca/record/replay/life_cycle_step.hpp>
+#include <cca/record/replay/played_samples.hpp>
 #include <cca/record/replay/replayed.hpp>
 #include <cca/record/replay/result.hpp>
 #include <cca/runtime/controller.hpp>
@@ -21,14 +22,14 @@
 namespace cca::recording::detail {
 
 template <class Graph>
-class replay_run final : cca::detail::beat_tap<replaying<Graph>> {
+class replay_run final : playing_tap<Graph> {
   using graph = replaying<Graph>;
   static constexpr int output_count = cca::detail::counts_of<Graph>.output_count;
   static constexpr const auto& layout = cca::detail::frame_layout_of<Graph>;
 
 public:
   explicit replay_run(const std::string& file, std::int64_t most_silent = most_silent_beats)
-      : cca::detail::beat_tap<graph>(2),
+      : playing_tap<Graph>(2),
         items(file),
         called(file),
         silence(most_silent),
@@ -46,6 +47,7 @@ public:
       if (is_finished()) return result;
       if (item.sample) take(*item.sample, item.beat);
       else if (item.event) take(*item.event);
+      else if (item.dropped > 0) this->miss(item.dropped_by, item.dropped);
       else if (item.lost > 0) {
         result.ended_early = "the recording lost " + std::to_string(item.lost) + " beats, from beat " +
                              std::to_string(item.beat) + " on";
@@ -96,6 +98,7 @@ private:
 
   void forget_beat() {
     for (int o = 0; o < output_count; ++o) recorded[words(layout.origin[at(o)])] = never;
+    for (auto& one : this->played) one.forget();
     reason.clear();
     failed_component.clear();
     has_samples = false;
@@ -109,7 +112,8 @@ private:
     if (beat_of_sample < k)
       refuse_sample(" comes after samples of beat " + std::to_string(k) +
                     ": another tool has changed the order of messages");
-    if (recorded[words(layout.origin[at(s.output)])] != never)
+    if (is_playing && this->takes_several(s.output)) this->keep_earlier(s.output, recorded.data());
+    else if (recorded[words(layout.origin[at(s.output)])] != never)
       refuse_sample(" is there twice: are two recordings merged in this file?");
     recorded[words(layout.origin[at(s.output)])] = s.origin;
     std::memcpy(&recorded[words(layout.at[at(s.output)])], s.coordinates.data(),

@@ -20,6 +20,7 @@
 #include <cca/record/replay/replayed_freely.hpp>
 #include <cca/record/replay/replayed_results.hpp>
 #include <cca/runtime/controller.hpp>
+#include <cca/runtime/environments/crossing.hpp>
 
 namespace cca::recording::detail {
 
@@ -149,6 +150,7 @@ inline constexpr flat_of<recording::replaying<D>> plan_of<recording::replaying<D
       for (int i = 0; i < g.input_count; ++i) g.inputs[i].in_beat = g.inputs[i].own_initial = false;
       for (int o = 0; o < g.output_count; ++o) {
         auto& out = g.outputs[o];
+        if (const int several = gathered_in_a_beat<D>[array_size(o)]; several > 0) out.in_a_beat = several;
         out.storage = storage_kind::none;
         out.depth = 0;
         out.initial_of = nullptr;

@@ -1,5 +1,5 @@
 // deployment.undelayed: what goes from one environment to another is delayed, unless one of them is
-// free-running and no queue is between them.
+// free-running.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -11,8 +11,7 @@ struct deployment_undelayed {
 
   static constexpr bool is_broken(when::crossing, const flat_view& g, const finding& f) {
     const auto& in = g.inputs[f.input];
-    if (!is_queued(in) && (is_free(g, in.call) || is_free(g, g.outputs[f.output].call))) return false;
-    return in.delay < 1;
+    return in.delay < 1 && !is_free(g, in.call) && !is_free(g, g.outputs[f.output].call);
   }
 
   static constexpr void tell(auto& m) {

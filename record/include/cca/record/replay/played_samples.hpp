@@ -1,0 +1,107 @@
+// All that an output of a free-running environment had for queues in one beat: several samples, and how many
+// are missing. In a replay they enter the queues as they did, before the newest one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <cca/base/array_size.hpp>
+#include <cca/graph/deployment.hpp>
+#include <cca/record/replay/recorded_beats.hpp>
+#include <cca/record/replay/replayed.hpp>
+#include <cca/runtime/publish.hpp>
+#include <cca/runtime/recording/beat_tap.hpp>
+
+namespace cca::recording::detail {
+
+// Of one output and beat.
+struct played_samples {
+  std::vector<recorded_sample> earlier{};  // than the newest
+  std::int64_t missing = 0;
+
+  void forget() {
+    earlier.clear();
+    missing = 0;
+  }
+};
+
+template <class Graph>
+struct playing_tap : cca::detail::beat_tap<replaying<Graph>> {
+  using cca::detail::beat_tap<replaying<Graph>>::beat_tap;
+
+  static constexpr bool takes_several([[maybe_unused]] int output) {
+    if constexpr (cca::detail::has_free_running<Graph>)
+      return cca::detail::gathered_in_a_beat<Graph>[cca::detail::array_size(output)] > 0;
+    else return false;
+  }
+
+  // Of several samples of one beat the last is the newest: what the frame has comes before another one.
+  void keep_earlier(int o, const std::int64_t* frame) {
+    constexpr const auto& layout = cca::detail::frame_layout_of<Graph>;
+    const std::size_t at = cca::detail::array_size(o);
+    const std::int64_t origin = frame[layout.origin[at]];
+    if (origin == never) return;
+    const auto* const from = reinterpret_cast<const double*>(frame + layout.at[at]);
+    played[at].earlier.push_back({o, origin, {from, from + layout.size[at]}});
+  }
+  void miss(int o, std::int64_t samples) {
+    if (takes_several(o)) played[cca::detail::array_size(o)].missing += samples;
+  }
+
+  std::array<played_samples, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)>
+      played{};
+};
+
+template <class Graph>
+struct tap_of;
+template <class Graph>
+struct tap_of<replaying<Graph>> {
+  using type = playing_tap<Graph>;
+};
+
+}  // namespace cca::recording::detail
+
+namespace cca::detail {
+
+// Into the queues from reader `Input` on.
+template <class Graph, int Input, class Vector>
+void play_one(const beat_context<Graph>& b, std::int64_t missing, const Vector& v, std::int64_t origin) {
+  constexpr const auto& in = input_of<Graph, Input>;
+  if constexpr (in.delay > 0) {
+    constexpr place at = layout_of<Graph>.on_the_way[Input];
+    b.template at<at.array>(at.index).put_after(missing, v, origin, b.k);
+  } else {
+    lose_before_queue<Graph, Input>(b.state, missing);
+    put_into_queue<Graph, Input>(b.state, b.outcome, v, origin, b.k);
+  }
+  constexpr int next = queue_from<Graph>(in.next_of_writer);
+  if constexpr (next >= 0) play_one<Graph, next>(b, missing, v, origin);
+}
+
+template <class Graph, int Output, int Input, class Vector>
+void play_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_t origin) {
+  std::int64_t missing = 0;
+  if constexpr (is_probed<Graph>) {
+    using tap = typename recording::detail::tap_of<typename as_planned<Graph>::type>::type;
+    auto& of_beat = static_cast<tap&>(*b.state.tap.get()).played[array_size(Output)];
+    missing = of_beat.missing;
+    for (const auto& one : of_beat.earlier)
+      play_one<Graph, Input>(b, std::exchange(missing, 0), Eigen::Map<const Vector>(one.coordinates.data()),
+                             one.origin);
+  }
+  play_one<Graph, Input>(b, missing, v, origin);
+}
+
+template <Deployment D, int Call>
+  requires(has_free_running<D> && is_free_node<D>(call_of<D, Call>.node))
+struct played_call<recording::replaying<D>, Call> {
+  static bool is_now(const auto& state) {
+    const auto& component = component_at<recording::replaying<D>, call_of<D, Call>.node>(state);
+    if constexpr (requires { component.plays(); }) return component.plays();
+    else return true;
+  }
+};
+
+}  // namespace cca::detail
