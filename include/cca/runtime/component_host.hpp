@@ -76,10 +76,10 @@ public:
     if (now == cca::state::loaded) save();
   }
 
-  // One component alone, or those of an inner graph, at a path: reads their parameters from a file, writes
-  // them into one. What else the file has is left alone. The hooks on_load and on_save of those that are
-  // loaded and not started run: of all in the state `loaded`, else of those whose part is stopped. The state
-  // stays.
+  // One component alone, or those of an inner graph, at a path: reads their parameters from a file, and
+  // leaves alone what else it has; writes them into one, which has nothing else then. The hooks on_load and
+  // on_save of those that are loaded and not started run: of all in the state `loaded`, else of those whose
+  // part is stopped. The state stays.
   template <fixed_string Path>
   void load(std::string_view file) {
     static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
@@ -235,26 +235,15 @@ private:
 
   // Refused: it leads to no node, or to one that another process runs.
   void check_path(std::string_view path, const char* call) const {
-    bool found = false;
-    for (int node = 0; node < counts_of<Graph>.node_count; ++node)
-      if (is_node_at(node, path)) {
-        found = true;
-        self().refuse_if_elsewhere(node);
-      }
-    if (!found)
-      throw refused(std::string("cca::controller: ") + call + ": there is no node `" + std::string(path) +
-                    "`");
-  }
-  static bool is_node_at(int node, std::string_view path) {
-    const std::string own = path_of_node<Graph>(node);
-    return own == path || (own.starts_with(path) && own[path.size()] == '.');
+    for_each_node_at<Graph>(path, call, [&](int node) { self().refuse_if_elsewhere(node); });
   }
   // Those at a path that are loaded and not started.
   template <class F>
   void visit_loaded(std::string_view path, F f) {
     if (now == cca::state::created) return;
     visit([&](int node, auto& component) {
-      if ((now == cca::state::loaded || this->is_resting_node(node)) && is_node_at(node, path)) f(component);
+      if ((now == cca::state::loaded || this->is_resting_node(node)) && is_node_at<Graph>(node, path))
+        f(component);
     });
   }
   // Those that run in this process.

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include <cca/base/refused.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/runtime/state.hpp>
 
@@ -21,6 +23,24 @@ std::string path_of_node(int node) {
        plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
     path = std::string(plan.scopes[static_cast<std::size_t>(s)].item->from) + "." + path;
   return path;
+}
+
+// f(number) for the component at a path, or for those of an inner graph. Refused: there is none.
+template <class Graph>
+bool is_node_at(int node, std::string_view path) {
+  const std::string own = path_of_node<Graph>(node);
+  return own == path || (own.starts_with(path) && own[path.size()] == '.');
+}
+template <class Graph, class F>
+void for_each_node_at(std::string_view path, const char* call, F f) {
+  bool found = false;
+  for (int node = 0; node < counts_of<Graph>.node_count; ++node)
+    if (is_node_at<Graph>(node, path)) {
+      found = true;
+      f(node);
+    }
+  if (!found)
+    throw refused(std::string("cca::controller: ") + call + ": there is no node `" + std::string(path) + "`");
 }
 
 template <class Graph>

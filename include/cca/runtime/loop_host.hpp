@@ -44,13 +44,11 @@ public:
         else self().advance();
         if (!goes_on_after(between, self())) break;
         if constexpr (Controls<Between, Self>)
-          if (between.control().has_news()) [[unlikely]] {
-            if (!obey(pace, between)) break;
-            paced_from = i + 1;
-          }
+          if (!listen(pace, between, [&] { paced_from = i + 1; })) break;
       }
     }
     if (now == cca::state::started) this->tell_state();
+    tell_end(between, self());
     return now;
   }
 
@@ -87,14 +85,32 @@ protected:
 private:
   Self& self() { return static_cast<Self&>(*this); }
 
+  // What others want, also while the next beat is far off. False: the run ends. `begun_anew()`: the pace
+  // counts from the next beat on.
+  template <class Pace, class Between, class F>
+  bool listen(Pace& pace, Between& between, F begun_anew) {
+    bool is_single = false;  // a single beat is made, whatever is wanted next
+    while (now == cca::state::running) {
+      if (between.control().has_news() && !is_single) [[unlikely]] {
+        if (!obey(pace, between)) return false;
+        begun_anew();
+        is_single = between.control().is_paused();
+      } else if (!dozes(pace, period())) {
+        break;
+      } else if (!between.while_paused(self())) {
+        return false;
+      }
+    }
+    return true;
+  }
   // False: the run ends. After a pause nothing is caught up.
   template <class Pace, class Between>
   [[gnu::noinline]] bool obey(Pace& pace, Between& between) {
-    const auto goes_on = [&] {
+    const auto idle = [&] {
       if constexpr (any_component<Graph, call_on_idle>) this->idle();
-      return now == cca::state::running && between.while_paused(self());
     };
-    if (!between.control().obey(pace, period(), goes_on)) return false;
+    const auto goes_on = [&] { return now == cca::state::running && between.while_paused(self()); };
+    if (!between.control().obey(pace, period(), idle, goes_on)) return false;
     runs.begin(pace, period());
     return true;
   }

@@ -103,6 +103,16 @@ public:
     begun = due;
   }
 
+  // Sleeps a while if the next beat is farther off than that. False: it is not, and this returns at once. So
+  // whoever looks meanwhile can end a run whose beats are far apart, or change its speed.
+  bool dozes(std::int64_t virtual_period, std::int64_t a_while) {
+    const std::int64_t now = clock.now();
+    const std::int64_t due = begun == never_begun ? start : later(begun, duration_of(virtual_period));
+    if (due - now <= a_while) return false;
+    clock.sleep_until(now + a_while);
+    return true;
+  }
+
   // Beats that were still running when the next should begin, and the periods in which no beat began. Of this
   // run; a controller adds them up.
   std::int64_t overruns() const { return count; }

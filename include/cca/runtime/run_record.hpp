@@ -69,6 +69,16 @@ struct end_of_run {
   }
 };
 
+// A run whose beats are far apart looks so often for what others want of it, ns.
+inline constexpr std::int64_t a_while = 20'000'000;
+
+// Sleeps so long if the next beat is farther off. False: it is not.
+template <class Pace>
+bool dozes(Pace& pace, std::int64_t period) {
+  if constexpr (requires { pace.dozes(period, a_while); }) return pace.dozes(period, a_while);
+  else return false;
+}
+
 // From any thread to the loop that gives the beat, which looks at one number between two beats: a pause,
 // single beats in a pause, another speed. Nobody waits for the other.
 class run_control {
@@ -93,10 +103,10 @@ public:
 
   bool has_news() const noexcept { return news.load(std::memory_order_acquire); }
 
-  // Does what is wanted, and returns when there is to be a beat. While it is paused, goes_on() is called once
-  // a period; false ends the pause and the run.
-  template <class Pace, class GoesOn>
-  bool obey(Pace& pace, std::int64_t period, GoesOn goes_on) {
+  // Does what is wanted, and returns when there is to be a beat. While it is paused, idle() is called once a
+  // period, and goes_on() as well, or more often if a period is long; false ends the pause and the run.
+  template <class Pace, class Idle, class GoesOn>
+  bool obey(Pace& pace, std::int64_t period, Idle idle, GoesOn goes_on) {
     news.store(false, std::memory_order_relaxed);
     if (has_speed.exchange(false, std::memory_order_acquire)) {
       if constexpr (requires { pace.set_speed(1.0); })
@@ -106,6 +116,7 @@ public:
     }
     bool runs = true;
     if constexpr (requires { pace.duration_of(period); }) period = pace.duration_of(period);
+    period = std::max(period, shortest);
     std::int64_t due = monotonic_clock::now();
     while (runs && is_wanted.load(std::memory_order_acquire)) {
       holds.store(true, std::memory_order_release);
@@ -114,14 +125,20 @@ public:
         note();  // it pauses again after that beat
         return true;
       }
+      if (const std::int64_t now = monotonic_clock::now(); now >= due) {
+        idle();
+        due = std::max(due + period, now);
+      }
       runs = goes_on();
-      due = std::max(due + std::max(period, shortest), monotonic_clock::now());
-      monotonic_clock::sleep_until(due);
+      monotonic_clock::sleep_until(std::min(due, monotonic_clock::now() + a_while));
     }
     steps.store(0, std::memory_order_relaxed);
     holds.store(false, std::memory_order_release);
     return runs;
   }
+
+  // The run is over. A pause that is wanted holds for the next one.
+  void end_run() noexcept { holds.store(false, std::memory_order_release); }
 
 private:
   static constexpr std::int64_t shortest = 100'000;  // ns
@@ -143,6 +160,12 @@ struct nothing_between {
   template <class Controller>
   constexpr void operator()(Controller&) const {}
 };
+
+// After a run, however it ended: whoever looks sees its state.
+template <class Between, class Controller>
+void tell_end([[maybe_unused]] Between& between, [[maybe_unused]] Controller& c) {
+  if constexpr (requires { between.run_ended(c); }) between.run_ended(c);
+}
 
 // Between two beats: true, the run goes on.
 template <class Between, class Controller>

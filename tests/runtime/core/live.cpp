@@ -129,6 +129,37 @@ TEST_SUITE("live access") {
     });
   }
 
+  TEST_CASE("a run whose beats are minutes apart gets another speed, pauses and ends at once") {
+    auto c = started<played>();
+    cca::live_access live(c);
+    const auto begun = std::chrono::steady_clock::now();
+    beside(c, live, cca::at_speed(1e-5), [&] {
+      wait_until([&] { return live.beat_index() == 1; });
+      live.set_speed(1);
+      wait_until([&] { return live.beat_index() > 10; });
+      live.set_speed(1e-5);
+      wait_until([&] { return live.set("source.slope", 2.0); });  // requests are taken meanwhile
+      wait_until([&] { return live.is_taken(); });
+      live.pause();
+      wait_until([&] { return live.is_paused(); });
+      live.go_on();
+      wait_until([&] { return !live.is_paused(); });
+    });
+    CHECK(std::chrono::steady_clock::now() - begun < 50s);  // a beat takes 100 s
+    CHECK_EQ(c.get<"source">().p.slope, 2.0);
+  }
+
+  TEST_CASE("after a run the window sees how it ended, and no pause of it") {
+    auto c = started<played>();
+    cca::live_access live(c);
+    live.pause();
+    for (int i = 0; i < 3; ++i) live.step();
+    c.run(cca::for_beats<3>{}, cca::as_fast_as_possible{}, live);  // it ends by its length, in a pause
+    CHECK_EQ(live.beat_index(), 3);
+    CHECK_EQ(live.state(), cca::state::started);
+    CHECK_FALSE(live.is_paused());
+  }
+
   TEST_CASE("parameters are saved and loaded while it runs, also of one component") {
     auto c = started<played>();
     cca::live_access live(c);
@@ -178,6 +209,10 @@ TEST_SUITE("live access") {
     CHECK_EQ(refusal([&] { live.stop("other"); }),
              "cca::controller: `other` can't be stopped on its own: write cca::stoppable<...> around the "
              "strategy of its node");
+    CHECK_EQ(refusal([&] { live.load("nothing.toml", "sauce"); }),
+             "cca::controller: load: there is no node `sauce`");
+    CHECK_EQ(refusal([&] { live.save("nothing.toml", "sauce"); }),
+             "cca::controller: save: there is no node `sauce`");
     CHECK(live.is_taken());
     CHECK(live.set("source.slope", 5.0));
     CHECK_FALSE(live.set("source.slope", 6.0));  // the first has not been taken

@@ -50,6 +50,16 @@ struct split : cca::deployment<watched_graph,
                                cca::tolerate<1000000>> {};
 using played = cca::deployed<split>;
 
+struct guard {
+  auto process(cca::beat now) -> cca::fault {
+    return now.index() == 4 ? cca::fault("it is asked to fault") : cca::fault();
+  }
+};
+struct guarded
+    : cca::deployment<cca::graph<cca::rate<1000>, cca::node<"robot", guard>, cca::node<"thinker", source>>,
+                      cca::environment<"body", cca::nodes<"robot">>,
+                      cca::environment<"mind", cca::other_nodes>> {};
+
 struct started_one : played {
   started_one() {
     load();
@@ -106,6 +116,39 @@ TEST_SUITE("live access to a deployment") {
       wait_until([&] { return newest_in(live, "planner.y") > 300; });
     });
     CHECK(!d.fault());
+  }
+
+  TEST_CASE("a run whose beats are minutes apart gets another speed and ends at once") {
+    started_one c;
+    played& d = c;
+    cca::live_access<played> live(d);
+    const auto begun = std::chrono::steady_clock::now();
+    beside(d, live, cca::at_speed(1e-5), [&] {
+      wait_until([&] { return live.beat_index() == 1; });
+      live.set_speed(1);
+      wait_until([&] { return live.beat_index() > 10; });
+      live.set_speed(1e-5);
+    });
+    CHECK(std::chrono::steady_clock::now() - begun < 50s);  // a beat takes 100 s
+  }
+
+  TEST_CASE("after a run the window sees how it ended, a fault too, and no pause of it") {
+    both_paces([](auto pace) {
+      cca::deployed<guarded> d;
+      d.load();
+      d.start();
+      cca::live_access live(d);
+      live.pause();
+      for (int i = 0; i < 3; ++i) live.step();
+      d.run(cca::for_beats<3>{}, pace, live);  // it ends by its length, in a pause
+      CHECK_EQ(live.beat_index(), 3);
+      CHECK_EQ(live.state(), cca::state::started);
+      CHECK_FALSE(live.is_paused());
+      live.go_on();
+      d.run(cca::for_beats<3>{}, pace, live);
+      CHECK_EQ(live.state(), cca::state::faulted);
+      CHECK_EQ(std::string_view(live.fault().reason()), "it is asked to fault");
+    });
   }
 
   TEST_CASE("another thread sees whole samples of each environment, and the newest") {

@@ -113,6 +113,7 @@ public:
     }
     if (is_stopped_elsewhere) stop();
     else this->tell_state();
+    detail::tell_end(between, *this);
     return now;
   }
 

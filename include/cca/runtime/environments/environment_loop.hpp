@@ -109,8 +109,8 @@ public:
 
   // ---- in a wall-clock run ----
 
-  // obey.has_news(): somebody wants a pause, or another speed. obey([&] { ... }): while it is paused, once a
-  // period; false: the run ends.
+  // obey.has_news(): somebody wants a pause, or another speed. obey(idle, goes_on): does it; false: the run
+  // ends.
   template <class Pace, class AfterBeat, class Obey>
   void lead(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat, Obey obey) {
     std::int64_t first = k;
@@ -129,9 +129,12 @@ public:
       announce();
       this->look_for_free(end);
       if (!after_beat()) stop();
-      if (obey.has_news()) [[unlikely]] {
+      for (bool is_single = false;;) {  // a single beat is made, whatever is wanted next
+        if (!obey.looks_until_it_is_near(is_single, [this] { return goes_on(); })) stop();
+        if (is_single || !obey.has_news()) break;
         this->hold(obey);
         first = k;
+        is_single = obey.is_paused();
       }
     }
   }

@@ -14,9 +14,9 @@
 // environment of this process shows its outputs and takes its part of a request between two of its own beats,
 // in its own thread, at any pace; what no beat has taken is taken when the run ends.
 //
-// Any thread may call any member function but the call operator, after_beat and goes_on, which are the
-// loops'. A request is checked in the thread that makes it. If it can't be done, `cca::refused` is thrown in
-// that thread, with the message that the controller would give. `false`: an earlier request has not been
+// Any thread may call any member function but the call operator, after_beat, goes_on and run_ended, which are
+// the loops'. A request is checked in the thread that makes it. If it can't be done, `cca::refused` is thrown
+// in that thread, with the message that the controller would give. `false`: an earlier request has not been
 // taken yet. Parameters are those of the time when this was made, and what was set through it since then:
 // while it is in use, set them through it alone. Cost: what is observed is copied once, and one atomic number
 // is read. set and load of a path or file need <cca/config.hpp>. Example: tests/runtime/core/live.cpp;
@@ -46,7 +46,8 @@ public:
     look(c);
   }
 
-  // As of the last beat; of a deployment, the last of the first environment of this process.
+  // As of the last beat, and of the end of a run; of a deployment, those of the first environment of this
+  // process.
   cca::state state() const noexcept { return now.load(std::memory_order_acquire); }
   std::int64_t beat_index() const noexcept { return k.load(std::memory_order_acquire); }
   std::int64_t overruns() const noexcept { return late.load(std::memory_order_acquire); }
@@ -84,6 +85,10 @@ public:
 
   // The loop's.
   run_control& control() noexcept { return commands; }
+  void run_ended(const Controller& c) noexcept {
+    commands.end_run();
+    look(c);
+  }
 
 protected:
   template <int Loop>

@@ -43,11 +43,13 @@ public:
   // With a path: of one component, or of those of an inner graph.
   bool load(std::string_view file, std::string_view path = {}) {
     static_assert(HasConfig<shadows>, "cca::live_access: load(file) needs #include <cca/config.hpp>");
-    return request(asked::parameters, all_nodes, [&] { config_backend<shadows>::load(known, file, path); });
+    return request(asked::parameters, loops_at(path, "load"),
+                   [&] { config_backend<shadows>::load(known, file, path); });
   }
   // Writes them as they are known here, in this thread.
   bool save(std::string_view file, std::string_view path = {}) {
     static_assert(HasConfig<shadows>, "cca::live_access: save(file) needs #include <cca/config.hpp>");
+    loops_at(path, "save");
     if (!mailbox.claim()) return false;
     const given_back at_the_end{mailbox};
     config_backend<shadows>::save(known, file, path);
@@ -111,6 +113,16 @@ private:
   static constexpr int first_mode = -2, first_part = -1000;  // -2 - n: mode n, -1000 - n: part n
   using mailbox_type = live_mailbox<loops::count>;
 
+  // Those with a component at this path; of all without one. Refused: a path that leads to none.
+  typename mailbox_type::loops loops_at(std::string_view path, const char* call) const {
+    if (path.empty()) return with_components;
+    typename mailbox_type::loops to{};
+    for_each_node_at<Graph>(path, call, [&](int node) {
+      known.check_is_here(node);
+      to[array_size(loops::of_node(node))] = true;
+    });
+    return to;
+  }
   // Each loop that has a node of it does its share.
   bool change_part(asked about, int part) {
     typename mailbox_type::loops to{};

@@ -36,11 +36,7 @@ protected:
   [[gnu::noinline]] void hold(Obey obey) {
     loop().own().is_paused.store(true, std::memory_order_release);
     loop().state.ring();
-    if (!obey([this] {
-          loop().idle();
-          return loop().goes_on();
-        }))
-      loop().stop();
+    if (!obey([this] { loop().idle(); }, [this] { return loop().goes_on(); })) loop().stop();
     loop().own().is_paused.store(false, std::memory_order_release);
     loop().state.ring();
   }

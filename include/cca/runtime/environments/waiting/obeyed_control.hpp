@@ -17,11 +17,24 @@ struct obeyed_control {
     if constexpr (Controls<Between, Deployed>) return between.control().has_news();
     else return false;
   }
-  // goes_on(): once a period, while it is paused. False: the run ends. After a pause nothing is caught up.
+  // After operator(): it makes a single beat in a pause.
+  bool is_paused() const {
+    if constexpr (Controls<Between, Deployed>) return between.control().is_paused();
+    else return false;
+  }
+  // Looks for what others want while the next beat is far off. False: the run ends.
   template <class GoesOn>
-  bool operator()([[maybe_unused]] GoesOn goes_on) const {
+  bool looks_until_it_is_near([[maybe_unused]] bool is_single, [[maybe_unused]] GoesOn goes_on) const {
+    if constexpr (Controls<Between, Deployed>)
+      while ((is_single || !has_news()) && goes_on() && dozes(pace, Deployed::period()))
+        if (!between.while_paused(all)) return false;
+    return true;
+  }
+  // idle(): once a period, while it is paused. False: the run ends. After a pause nothing is caught up.
+  template <class Idle, class GoesOn>
+  bool operator()([[maybe_unused]] Idle idle, [[maybe_unused]] GoesOn goes_on) const {
     if constexpr (Controls<Between, Deployed>) {
-      if (!between.control().obey(pace, Deployed::period(),
+      if (!between.control().obey(pace, Deployed::period(), idle,
                                   [&] { return goes_on() && between.while_paused(all); }))
         return false;
       runs.begin(pace, Deployed::period());
