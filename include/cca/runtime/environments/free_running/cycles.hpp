@@ -12,6 +12,7 @@
 
 #include <cca/runtime/environments/free_running/free_arrivals.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/runtime/recording/tell_recorder.hpp>
 
 namespace cca::detail {
 
