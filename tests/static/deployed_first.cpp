@@ -1,5 +1,5 @@
-// <cca/runtime/environments/deployed.hpp>, and so <cca/main.hpp>, may be the first header of a file: what a loop
-// with free-running environments calls is declared before the loop.
+// <cca/runtime/environments/deployed.hpp>, and so <cca/main.hpp>, may be the first header of a file: what a
+// loop with free-running environments calls is declared before the loop.
 #include <cca/runtime/environments/deployed.hpp>
 
 #include <cca/cca.hpp>

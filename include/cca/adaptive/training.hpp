@@ -14,10 +14,12 @@
 // An example that is NaN, infinite or beyond 1e12 is ignored in every state. An input that is NaN or infinite
 // lies outside of the trained region; its answer is what the model makes of it. There is no fault.
 //
-// It keeps the newest Capacity examples. States and legal changes stand in a table (learning/changes.hpp);
-// other changes are refused. A beat allocates nothing. It is a value: a copy continues independently. Memory:
-// Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp);
-// learner.request for a request that the compiler knows.
+// It keeps the newest Capacity examples, and counts the others: lost_examples(). For models of sequences
+// these are whole demonstrations: the rest of one whose beginning is lost would count as a demonstration of
+// its own, so it is left out, unless it is all that there is. States and legal changes stand in a table
+// (learning/changes.hpp); other changes are refused. A beat allocates nothing. It is a value: a copy
+// continues independently. Memory: Capacity examples. Errors: `cca::refused` for illegal changes and for
+// files (learned_file.hpp); learner.request for a request that the compiler knows.
 //
 // Requests (module_status.hpp) are events: a component publishes one when it wants something. Each is
 // answered in the status. A `batch` that is requested is computed by a thread beside the loop
@@ -185,10 +187,13 @@ public:
     change(detail::learning_change::forget, "forget()");
     clear();
   }
-  std::size_t example_count() const { return written < kept.size() ? written : kept.size(); }
+  std::size_t example_count() const { return written - first_example(); }
+  // Examples since the last forget() that no batch learns from any more: there were more than Capacity.
+  std::size_t lost_examples() const { return first_example(); }
+  static constexpr int capacity = Capacity;
   std::vector<example<model>> examples() const {
     std::vector<example<model>> all;
-    for (std::size_t i = written - example_count(); i < written; ++i) all.push_back(kept[i % kept.size()]);
+    for (std::size_t i = first_example(); i < written; ++i) all.push_back(kept[i % kept.size()]);
     return all;
   }
 
@@ -255,7 +260,7 @@ private:
       if (!beside.is_there()) return impossible;
       if (!detail::is_legal(detail::learning_change::begin_batch, now)) return not_now;
       if (example_count() == 0) return no_examples;
-      if (!beside.ask(kept, written, s)) return not_now;
+      if (!beside.ask(kept, first_example(), written, s)) return not_now;
       (void)changed(detail::learning_change::begin_batch);
       return accepted;
     } else {
@@ -271,6 +276,15 @@ private:
       else answer_to_last = learning_answer::failed;
       now = has_learned ? learning::trained : learning::idle;
     }
+  }
+  // The oldest example that a batch learns from.
+  std::size_t first_example() const {
+    if (written <= kept.size()) return 0;
+    const std::size_t oldest = written - kept.size();
+    if constexpr (SequenceModel<model>)
+      for (std::size_t i = oldest; i < written; ++i)
+        if (kept[i % kept.size()].begins) return i;
+    return oldest;
   }
   bool is_at_rest() const { return now == learning::idle || now == learning::trained; }
 

@@ -232,3 +232,71 @@ TEST_CASE("each interruption and each start begins another demonstration") {
   CHECK(all.size() == 8 + 5 + 4);
   CHECK(begins == std::vector<std::size_t>{0, 8, 13});
 }
+
+TEST_CASE(
+    "more examples than there is room for: of a demonstration that has lost its beginning nothing is "
+    "learned") {
+  using rule = cca::baum_welch<cca::hidden_markov_function<leg, leg, 4>>;
+  using small = cca::hmm_module<leg, 4, rule, 100>;
+  const auto show = [](auto& m, int demonstration, int length) {
+    for (int k = 0; k < length + 2; ++k)
+      (void)hmm_case::process(m, 10 * k + demonstration, centre, shown::demonstration);
+    (void)hmm_case::process(m, 0, centre, shown::nothing);
+  };
+  small cut;
+  cut.on_start();
+  cut.learning.collect();
+  show(cut, 0, 48);
+  show(cut, 1, 48);
+  CHECK(cut.learning.example_count() == 96);
+  CHECK(cut.learning.lost_examples() == 0);
+  CHECK(cut.summary().empty());
+  show(cut, 2, 48);  // the first has 4 examples left
+  CHECK(cut.learning.example_count() == 96);
+  CHECK(cut.learning.lost_examples() == 48);
+  CHECK(cut.learning.examples().front().begins);
+  CHECK(cut.summary() == "48 examples were lost, the oldest: it keeps 100, its template argument `Capacity`");
+
+  small whole;
+  whole.on_start();
+  whole.learning.collect();
+  show(whole, 1, 48);
+  show(whole, 2, 48);
+  const auto learned = [](small& m) {
+    m.learning.hand_over(m.learning.begin_batch(m.p.settings)());
+    return m.learning.get().function;
+  };
+  const auto of_cut = learned(cut), of_whole = learned(whole);
+  CHECK(of_cut.transitions == of_whole.transitions);
+  CHECK(of_cut.mixture.means == of_whole.mixture.means);
+  CHECK(of_cut.mixture.priors == of_whole.mixture.priors);
+
+  small longer;  // than there is room: what is left is all that there is
+  longer.on_start();
+  longer.learning.collect();
+  show(longer, 0, 130);
+  CHECK(longer.learning.example_count() == 100);
+  CHECK(longer.learning.lost_examples() == 30);
+}
+
+TEST_CASE("a batch that is requested leaves the same demonstrations out") {
+  using small = cca::hmm_module<leg, 4, cca::baum_welch<cca::hidden_markov_function<leg, leg, 4>>, 100>;
+  small asked;
+  asked.learning.compute_batches();
+  asked.on_start();
+  asked.learning.collect();
+  for (int demonstration = 0; demonstration < 3; ++demonstration) {
+    for (int k = 0; k < 50; ++k)
+      (void)hmm_case::process(asked, 10 * k + demonstration, centre, shown::demonstration);
+    (void)hmm_case::process(asked, 0, centre, shown::nothing);
+  }
+  auto beside = asked.learning;
+  REQUIRE(asked.learning.obey(cca::learning_call::batch, asked.p.settings) == cca::learning_answer::accepted);
+  for (int k = 0; k < 20000 && asked.learning.state() == cca::learning::batch; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    asked.learning.hear(cca::in<"learn", cca::learning_request>{}, asked.p.settings);
+  }
+  REQUIRE(asked.learning.state() == cca::learning::trained);
+  beside.hand_over(beside.begin_batch(asked.p.settings)());
+  CHECK(asked.learning.get().function.mixture.means == beside.get().function.mixture.means);
+}

@@ -62,15 +62,17 @@ public:
   }
   bool is_there() const { return beside != nullptr; }
 
-  // `newest` is the number of examples that were ever written into the ring `kept`.
-  bool ask(std::span<const example_type> kept, std::size_t newest, const settings_type& with) {
+  // The examples from `oldest` to before `newest`, of all that were ever written into the ring `kept`.
+  bool ask(std::span<const example_type> kept,
+           std::size_t oldest,
+           std::size_t newest,
+           const settings_type& with) {
     // Where it has not begun with an older one, that one is taken back.
     auto expected = turn::asked;
     if (!beside->now.compare_exchange_strong(expected, turn::free) && expected == turn::computes)
       return false;
-    beside->count = newest < kept.size() ? newest : kept.size();
-    for (std::size_t i = 0; i < beside->count; ++i)
-      beside->examples[i] = kept[(newest - beside->count + i) % kept.size()];
+    beside->count = newest - oldest;
+    for (std::size_t i = 0; i < beside->count; ++i) beside->examples[i] = kept[(oldest + i) % kept.size()];
     beside->settings = with;
     hand_over();
     return true;

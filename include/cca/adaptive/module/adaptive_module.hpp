@@ -158,6 +158,14 @@ struct module_of<Motion, Rule, Capacity, module_inputs<In...>, module_outputs<Ou
 
   std::vector<learned_header::constant> constants() const { return Motion::constants(p); }
 
+  // For programs, after the run.
+  std::string summary() const {
+    const std::size_t lost = learning.lost_examples();
+    if (lost == 0) return {};
+    return std::to_string(lost) + " examples were lost, the oldest: it keeps " + std::to_string(Capacity) +
+           ", its template argument `Capacity`";
+  }
+
 private:
   Motion motion;
 };
