@@ -27,7 +27,8 @@
 // published (`static constexpr auto asked_paths = plan::asked_paths;`).
 //
 // An observed NaN fulfils neither `is`, `below` nor `above`, so it fulfils `no` of them, and `held_for`
-// begins again; timeouts and `after` go on. Infinity compares like a number. Neither is kept.
+// begins again; timeouts and `after` go on. What nobody has published yet counts as NaN, and not as the zero
+// of its space. Infinity compares like a number. Neither is kept.
 //
 // Errors: none in a beat; `unheard()` tells of unknown paths. plan.unknown_path. Cost: each path is searched
 // once; then one comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.
@@ -50,6 +51,10 @@ namespace cca {
 // The state of a sequence: a value, for your own component, or inside the component of sequencer.hpp.
 template <class Plan>
 class sequence {
+  static_assert(Plan::well_named(),
+                "cca::steps: two steps have the same name, or then<...>, then_one_of<...> or or_after<...> "
+                "names an unknown step");
+
 public:
   // Call it once in a beat. Each of `told` is an `observe<...>`.
   template <class... Told>
@@ -61,10 +66,6 @@ public:
   // Another step than one of these is not entered: then it is the first of them.
   template <class Choose, class... Told>
   void update_by(beat now, const Choose& choose, const Told&... told) {
-    static_assert(
-        Plan::well_named(),
-        "cca::steps: two steps have the same name, or then<...>, then_one_of<...> or or_after<...> names "
-        "an unknown step");
     const std::array<told_scope, sizeof...(Told)> scopes{scope_of(told)...};
     if (began < 0) {
       began = now.index();
@@ -114,8 +115,9 @@ private:
     template <fixed_string Path, int Axis = 0>
     double value() const {
       const place at = of.find(Path.view(), told);
-      return at.scope < 0 ? std::numeric_limits<double>::quiet_NaN()
-                          : told[static_cast<std::size_t>(at.scope)].begin()[at.position].values[Axis];
+      if (at.scope < 0) return std::numeric_limits<double>::quiet_NaN();
+      const observation& one = told[static_cast<std::size_t>(at.scope)].begin()[at.position];
+      return one.origin == never ? std::numeric_limits<double>::quiet_NaN() : one.values[Axis];
     }
   };
 

@@ -13,10 +13,10 @@ struct told {
   std::array<cca::observation, 2> all() const { return {{{"s.a", a, 0, true}, {"s.b", b, 0, true}}}; }
 };
 
-template <class Plan>
+template <class Plan, class Told = told>
 struct running {
   cca::sequence<Plan> s;
-  told now;
+  Told now;
   std::int64_t k = 0;
 
   std::string_view step(int beats = 1) {
@@ -171,6 +171,28 @@ TEST_CASE("more paths than it remembers are still found") {
   values[33] = 1;
   s.update(motor_test::at(5), all);
   CHECK(s.in<"second">());
+}
+
+TEST_CASE("what has not been published yet is no zero: only `no` of a comparison holds") {
+  struct waits : cca::steps<cca::step<"wait">,
+                            cca::step<"low", cca::any<cca::below<"s.a", 1>, cca::is<"s.a", 0>>>,
+                            cca::step<"high", cca::above<"s.a", -1>>> {};
+  struct told_nothing {
+    std::array<double, 2> a{}, b{};
+    std::int64_t origin = cca::never;
+    std::array<cca::observation, 2> all() const {
+      return {{{"s.a", a, origin, false}, {"s.b", b, origin, false}}};
+    }
+  };
+  running<waits, told_nothing> r;
+  CHECK_EQ(r.step(3), "wait");
+  CHECK(!r.s.unheard());
+  r.now.origin = 0;
+  CHECK_EQ(r.step(), "low");
+  CHECK_EQ(r.step(), "high");
+  struct unless : cca::steps<cca::step<"wait">, cca::step<"go", cca::no<cca::is<"s.a", 0>>>> {};
+  running<unless, told_nothing> other;
+  CHECK_EQ(other.step(), "go");
 }
 
 TEST_CASE("a condition on a path that nobody publishes never holds, and is reported") {

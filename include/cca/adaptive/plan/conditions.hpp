@@ -1,6 +1,6 @@
 // The conditions under which a step of a plan may begin (sequence.hpp): each is a type with `holds(heard)`.
 //
-//   heard.value<"path", axis>()   the observed number; NaN for an unknown path
+//   heard.value<"path", axis>()   the observed number; NaN for an unknown path, and before anything is published
 //   heard.beats()                 since the running step began
 //
 // One that asks for a path says so, and the compiler refuses a path that nobody publishes
@@ -49,20 +49,21 @@ struct is {
     return heard.template value<Path, Axis>() == static_cast<double>(State);
   }
 };
-template <fixed_string Path, double Bound>
+// `Bound` is any number: 10 or 0.3.
+template <fixed_string Path, auto Bound>
 struct below {
   static constexpr std::array asked_paths{asked_path{Path.view()}};
   template <class Heard>
   static bool holds(const Heard& heard) {
-    return heard.template value<Path>() < Bound;
+    return heard.template value<Path>() < static_cast<double>(Bound);
   }
 };
-template <fixed_string Path, double Bound>
+template <fixed_string Path, auto Bound>
 struct above {
   static constexpr std::array asked_paths{asked_path{Path.view()}};
   template <class Heard>
   static bool holds(const Heard& heard) {
-    return heard.template value<Path>() > Bound;
+    return heard.template value<Path>() > static_cast<double>(Bound);
   }
 };
 template <std::int64_t Beats>
