@@ -174,9 +174,9 @@ TEST_CASE("more paths than it remembers are still found") {
 }
 
 TEST_CASE("what has not been published yet is no zero: only `no` of a comparison holds") {
-  struct waits : cca::steps<cca::step<"wait">,
-                            cca::step<"low", cca::any<cca::below<"s.a", 1>, cca::is<"s.a", 0>>>,
-                            cca::step<"high", cca::above<"s.a", -1>>> {};
+  struct waits
+      : cca::steps<cca::step<"wait">, cca::step<"low", cca::any<cca::below<"s.a", 1>, cca::is<"s.a", 0>>>,
+                   cca::step<"high", cca::above<"s.a", -1>>> {};
   struct told_nothing {
     std::array<double, 2> a{}, b{};
     std::int64_t origin = cca::never;
