@@ -1,8 +1,8 @@
 // A learned policy as a component: a feed-forward network whose observations are ports, so joint order,
 // frames, units and rates of its observations are checked like every wire.
 //
-//   struct walk : cca::policy<cca::policy_inputs<cca::in<"angles", leg_angles>, cca::in<"turning",
-//   trunk_twist>>,
+//   struct walk : cca::policy<cca::policy_inputs<cca::in<"angles", leg_angles>,
+//                                                cca::in<"turning", trunk_twist>>,
 //                             cca::hidden_layers<256, 128>, cca::hyperbolic_tangent, leg_angles> {};
 //   cca::node<"walk", walk, cca::timed<20>>
 //

@@ -55,7 +55,7 @@ public:
       throw refused("cca::at_speed: " + std::to_string(factor) + " is no pace, expected a number above 0");
   }
 
-  // From the next beat on; false, and nothing changes: it is no speed.
+  // From the next beat on. False if it is no speed: then nothing changes.
   bool set_speed(double factor) {
     if (!(factor > 0)) return false;
     speed = factor;

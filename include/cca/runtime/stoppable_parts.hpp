@@ -3,8 +3,7 @@
 //
 //   c.stop<"reach">();         between two beats: none of its components fires any more, their samples age
 //   c.start<"reach">();        they fire again; what arrived in the meantime is not fresh
-//   c.is_stopped<"reach">();   also where a component stopped it, or it stopped itself (cca::done), and where
-//   a
+//   c.is_stopped<"reach">();   also where a component stopped it, or it stopped itself (cca::done), and where a
 //                              part around it is stopped
 //   c.stop("reach");           the same by a path that is known only at run time
 //
@@ -56,7 +55,7 @@ constexpr int part_with_hash(std::uint64_t path) {
   return -1;
 }
 
-// As at the beginning, but that nothing which has arrived is fresh.
+// As at the beginning, but nothing that has arrived is fresh.
 template <class Graph, class State>
 void begin_anew(State& state, int node, std::int64_t next) {
   visit_firings<Graph>(state, node, [&](last_firing& one) {

@@ -2,8 +2,7 @@
 //
 //   tank.start(1.0)              J
 //   tank.draw(q, most)           the work of the torques since the last `hold` leaves the tank, which holds
-//   at
-//                                most `most` J; work that they absorb flows in
+//                                at most `most` J; work that they absorb flows in
 //   tank.share(t, other, dq, solver, dt)   the largest s in 0..1 for which t s + other do no more work in the
 //                                next dt than the tank holds
 //   tank.hold(torques, q)        these torques act from now on

@@ -1,7 +1,7 @@
 // The robot: what described.hpp says, which cca-urdf wrote from @urdf@. When that file changes, write it
 // again:
 //
-//   cca-urdf @urdf@ --namespace my_robot::urdf --out described.hpp
+//   cca-urdf @urdf@@options@ --namespace my_robot::urdf --out described.hpp
 //
 // Keep your own things here: a servo, sensors, a starting posture (cca's docs/urdf.md).
 #pragma once

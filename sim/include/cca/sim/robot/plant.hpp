@@ -7,8 +7,7 @@
 // while its drives hold nothing, `hold`:
 //   nothing    it falls
 //   brakes     each joint has a brake, as in arms: it holds the joint while its drive holds nothing, and
-//   takes
-//              60 ms to open
+//              takes 60 ms to open
 //   stand      the robot does not move until all drives have been enabled once
 //
 // It knows nothing of drives and boards: laws, motions and readings are any types with the members that
