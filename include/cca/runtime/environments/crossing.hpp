@@ -241,8 +241,8 @@ struct leaves_gathered {
   static constexpr bool holds(std::size_t o) { return gathered_in_a_beat<D>[o] > 0; }
 };
 
-// How many beats an environment may be ahead of those that read from it, and of the first one, as fast as
-// possible. More than that smooths nothing: the samples of a ring stay in the caches while it is short.
+// How many beats an environment may be ahead of those that read from it, and of the first one, in a fast
+// run. More than that smooths nothing: the samples of a ring stay in the caches while it is short.
 template <class D>
 inline constexpr std::int64_t most_ahead = 4 + std::min(std::ranges::max(crossings_of<D>.largest_delay), 16);
 
