@@ -27,10 +27,10 @@
 // published (`static constexpr auto asked_paths = plan::asked_paths;`).
 //
 // An observed NaN fulfils neither `is`, `below` nor `above`, so it fulfils `no` of them, and `held_for`
-// begins again; timeouts and `after` go on. What nobody has published yet counts as NaN, and not as the zero
-// of its space. Infinity compares like a number. Neither is kept.
+// begins again; timeouts and `after` go on. A value that has not been published yet counts as NaN, and not
+// as the zero of its space. Infinity compares like a number. Neither is kept.
 //
-// Errors: none in a beat; `unheard()` tells of unknown paths. plan.unknown_path. Cost: each path is searched
+// Errors: none in a beat; `unheard()` names unknown paths. plan.unknown_path. Cost: each path is searched
 // once; then one comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.
 #pragma once
 
@@ -144,7 +144,7 @@ private:
     return found;
   }
 
-  // When it begins: so a path that nobody publishes is known at once, and not when its step comes.
+  // At the beginning: so a path without a publisher is known at once, and not when its step comes.
   [[gnu::noinline]] void ask_all(scopes_told told) {
     const heard all{*this, told, 0};
     for (int i = 0; i < Plan::count; ++i) (void)Plan::holds(i, all);

@@ -107,7 +107,7 @@ public:
   [[gnu::always_inline]] auto status(const input& x, const settings& s) const {
     return status_of(now, region(x, s), answer_to_last);
   }
-  // `is_asked`: the port "learn" is wired. Else nobody requests anything, and this costs nothing.
+  // `is_asked`: the port "learn" is wired. Otherwise there are no requests, and this costs nothing.
   [[gnu::always_inline]] auto status(const input& x, const settings& s, bool is_asked) const {
     return status_of(now, region(x, s), is_asked ? answer_to_last : learning_answer::none);
   }

@@ -54,8 +54,8 @@ template <class Component> concept OnIdle = requires(Component& c) {
   { c.on_idle() } -> std::same_as<void>;
 };
 
-// Told by load(), before on_load, once for each of its inputs that is wired: what it needs for this input,
-// like a thread, is then made outside of the loop, and only where somebody uses it.
+// load() calls it before on_load, once for each of its inputs that is wired: what it needs for this input,
+// like a thread, is then made outside of the loop, and only where it is used.
 template <class Component> concept OnWired = requires(Component& c, std::string_view input) {
   { c.on_wired(input) } -> std::same_as<void>;
 };

@@ -8,7 +8,7 @@
 // Works for graphs that break a rule as far as their parts are known, so that one can look at them too.
 #pragma once
 
-// First: where this refuses something, the compilers tell of each file around it.
+// Included first: if it refuses something, the compilers list every file around it.
 #include <cca/component/port.hpp>
 
 #include <string>

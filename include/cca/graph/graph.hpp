@@ -72,8 +72,8 @@ template <class Type> concept Graph = requires { typename Type::cca_items; };
 
 namespace detail {
 
-// Whose option sets the policies of the wires in a graph (graph/inner_wires.hpp): nobody's, its own, or
-// that of the skeleton around it.
+// Whose option sets the policies of the wires in a graph (graph/inner_wires.hpp): none, its own, or that
+// of the skeleton around it.
 enum class wires_of : std::uint8_t { nobody, this_one, the_one_around };
 
 }  // namespace detail

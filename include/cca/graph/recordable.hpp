@@ -3,7 +3,7 @@
 //   struct trot : cca::graph<...>, cca::recordable {};
 //
 // The controller of such a graph has two beats: the usual one, and one that also tells a recorder what each
-// component publishes. While nobody records, the usual one runs, and costs one comparison more. The
+// component publishes. While nothing is recorded, the usual one runs, and costs one comparison more. The
 // controller of any other graph has no trace of it. Compile time: the beat is compiled twice.
 // docs/recordings.md.
 #pragma once

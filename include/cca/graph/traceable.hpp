@@ -2,9 +2,9 @@
 //
 //   struct trot : cca::graph<...>, cca::traceable {};
 //
-// Behind each firing stands a test whether somebody traces (cca/trace.hpp). It costs two instructions. The
-// beat of a graph that is recordable too has them only while it is recorded or traced. The beat of any other
-// graph has no trace of it. docs/traces.md.
+// After each firing it is tested whether a tracer is there (cca/trace.hpp): two instructions. The beat of a
+// graph that is recordable too has them only while it is recorded or traced. The beat of any other graph has
+// no trace of it. docs/traces.md.
 #pragma once
 
 #include <concepts>

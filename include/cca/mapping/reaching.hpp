@@ -29,7 +29,7 @@ struct reaching_status : space<status, axes<solution>> {};
 
 namespace detail {
 
-// What was not reached, counted: also where nobody reads the status.
+// Counts what was not reached, whether the status is read or not.
 struct reaching_counts {
   std::int64_t nearest = 0, unfinished = 0, unreadable = 0;
   double farthest = 0;  // m

@@ -2,7 +2,7 @@
 //
 // `tip_task` is the error of a tip against a wanted position, orientation or pose, and the rows of the
 // Jacobian that change it. `chain_limits` holds the limits of a chain's coordinates and its span. `readable`
-// checks and scales a target: of NaN and infinity it returns false, and nobody solves such a target. Source:
+// checks and scales a target: of NaN and infinity it returns false, and such a target is not solved. Source:
 // Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and Control, 2009, section 3.7 (errors
 // of position and orientation).
 #pragma once

@@ -68,7 +68,7 @@ void visit_component(F& f, State& state, int node) {
     f(node, component_in<Graph, First>(state, layout_of<Graph>.components[node].index));
 }
 
-// f(number, component) for each, in declaration order. By way of a table, so that what `f` does with
+// f(number, component) for each, in declaration order. Through a table, so that the code of `f` for
 // components of one type is compiled once.
 template <class Graph, class F, class State>
 void visit_components(F f, State& state) {

@@ -104,7 +104,7 @@ public:
   }
 
   // Sleeps a while if the next beat is farther off than that. False: it is not, and this returns at once. So
-  // whoever looks meanwhile can end a run whose beats are far apart, or change its speed.
+  // a run whose beats are far apart can be ended in between, and its speed be changed.
   bool dozes(std::int64_t virtual_period, std::int64_t a_while) {
     const std::int64_t now = clock.now();
     const std::int64_t due = begun == never_begun ? start : later(begun, duration_of(virtual_period));

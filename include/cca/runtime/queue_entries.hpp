@@ -24,7 +24,7 @@ struct as_planned<probed<Graph>> {
 };
 
 // Of a replay: the component of a call does not run, but publishes what was recorded (record/replay.hpp).
-// What it would have read waits for nobody.
+// Its inputs keep no samples waiting.
 template <class Graph, int Call>
 struct played_call {
   static constexpr bool is_now(const auto&) { return false; }

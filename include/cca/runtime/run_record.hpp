@@ -161,7 +161,7 @@ struct nothing_between {
   constexpr void operator()(Controller&) const {}
 };
 
-// After a run, however it ended: whoever looks sees its state.
+// After a run, however it ended: other threads see its state.
 template <class Between, class Controller>
 void tell_end([[maybe_unused]] Between& between, [[maybe_unused]] Controller& c) {
   if constexpr (requires { between.run_ended(c); }) between.run_ended(c);

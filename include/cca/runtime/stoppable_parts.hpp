@@ -84,7 +84,7 @@ void note_change(State& state,
       state);
 }
 
-// Sets what a part is told, and finds the parts that rest. One that runs again does so from beat `next` on.
+// Stops or starts a part, and finds the parts that rest now. A part that runs again runs from beat `next` on.
 template <class Graph, class State>
 void mark_part(State& state, int part, bool stops, std::int64_t next) {
   state.parts[array_size(part)].is_stopped = stops;

@@ -60,7 +60,7 @@ template <class Space>
 std::string type_in_dds() {
   return "cca::" + name_in_idl<Space>() + "_sample";
 }
-// Where a space has its samples, if nobody names another topic.
+// The topic of a space's samples, unless another one is named.
 template <class Space>
 std::string topic_of_space() {
   return joined_name(cca::detail::spelled<Space>(), cca::detail::type_name<Space>(), "/");

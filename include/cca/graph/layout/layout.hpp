@@ -131,7 +131,7 @@ struct layout_step {
     return false;
   }
 
-  // In each beat, or at least whenever somebody looks.
+  // In each beat, or at least in each beat in which a reader looks.
   constexpr bool is_there_when_read(const call& c) const {
     if (c.fires.every_beat()) return true;
     if (!c.own_clock.every_beat()) return false;

@@ -66,7 +66,7 @@ struct end_of_part {
 // The worse of two statuses.
 constexpr input_status worse(input_status a, input_status b) { return a < b ? b : a; }
 
-// What a compliant component publishes in `status` and `saturation`, counted: also where nobody reads these.
+// Counts what a compliant component publishes in `status` and `saturation`, whether they are read or not.
 struct compliance_counts {
   std::int64_t unreadable = 0, clamped = 0, spring = 0, motion = 0, torque = 0;
 

@@ -43,8 +43,8 @@ public:
     if (begun) stored -= torques.dot(q - at);
     stored = std::max(-1.0, std::min(stored, most));
   }
-  // As draw; between this firing and the last one there were some in which nobody looked. What flowed in
-  // meanwhile is not known, so it doesn't count.
+  // As draw, after firings in which it was not called. What flowed in meanwhile is not known, so it doesn't
+  // count.
   void draw_after_gap(const vector& q, double most) {
     if (begun) stored -= std::max(0.0, torques.dot(q - at));
     stored = std::max(-1.0, std::min(stored, most));

@@ -1,4 +1,4 @@
-// What a deployment tells of its wall-clock runs. `Self` has the exchange, in `shared`.
+// The figures of a deployment's wall-clock runs. `Self` has the exchange, in `shared`.
 #pragma once
 
 #include <cstdint>

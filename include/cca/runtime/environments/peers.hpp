@@ -1,4 +1,4 @@
-// What a transport tells of the environments that other processes run.
+// What a transport knows of the environments that other processes run.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a trace is told of, in the memory between the loop and the thread that writes.
+// The events of a trace, in the memory between the loop and the thread that writes.
 #pragma once
 
 #include <cstdint>

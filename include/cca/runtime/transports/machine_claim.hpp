@@ -1,6 +1,6 @@
 // A claim that only one process of the machine can have at a time, beside the lock of a file: it stays when
-// the file's name is removed. It is the name of a socket that nobody connects to but to ask who has it, in
-// the kernel's table (abstract, so in no folder). The system takes it away when the process ends.
+// the file's name is removed. It is the name of a socket in the kernel's table (abstract, so in no folder);
+// others connect to it only to ask who has it. The system takes it away when the process ends.
 //
 // Between containers that share /dev/shm but no network it does not count, nor where a process may make no
 // sockets: then only the locks of the file do.

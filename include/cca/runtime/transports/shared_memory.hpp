@@ -63,7 +63,7 @@ public:
     file.unlock(setup_byte);
     watch.emplace([this] { look(); });
   }
-  // If somebody else hangs with the lock, the name is left to who comes next.
+  // If another process hangs with the lock, the name stays for the next one.
   ~shared_exchange() override {
     watch.reset();
     if (file.wait_for(setup_byte, longest_setup) && !is_anybody_else_here()) file.remove();

@@ -126,7 +126,7 @@ constexpr std::size_t unit_of(sensors<All...>) {
   return inertial_units<All...>().place_of(Sensor::part.view());
 }
 
-// What a sensor tells of its unit.
+// The part of a unit's reading that a sensor publishes.
 template <class Sensor>
 const auto& share_of(const inertial_reading& unit) {
   if constexpr (Sensor::kind == sensor_kind::orientation) return unit.orientation;

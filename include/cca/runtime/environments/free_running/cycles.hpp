@@ -1,4 +1,4 @@
-// What the loop of an environment does for the sake of free-running ones, in a wall-clock run. `Loop` is it.
+// The part of an environment's loop that serves free-running ones, in a wall-clock run. `Loop` is the loop.
 //
 //   cycles_of        of a free-running environment: cycles without pause instead of beats
 //   admission_of     of the first environment: what they publish enters its beats

@@ -1,5 +1,5 @@
-// How a thread that sleeps is told that there is news: a counter that it waits for. Ringing never waits, and
-// is one addition unless somebody sleeps (then a call of the system, some microseconds).
+// Wakes a thread that sleeps until there is news: a counter that it waits for. Ringing never waits, and is
+// one addition, unless a thread sleeps (then a call of the system, some microseconds).
 #pragma once
 
 #include <linux/futex.h>

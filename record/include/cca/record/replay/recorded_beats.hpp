@@ -136,7 +136,7 @@ private:
     }
   }
 
-  // What nobody reads outside of a free-running environment need not be played.
+  // An output of a free-running environment that is not read outside of it need not be played.
   static bool is_beside_the_beat([[maybe_unused]] int o) {
     if constexpr (cca::detail::has_free_running<Graph>)
       return cca::detail::is_free_node<Graph>(cca::detail::node_of_output<Graph>(o)) &&

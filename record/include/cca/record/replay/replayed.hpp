@@ -141,7 +141,7 @@ struct node_types<recording::replaying<Graph>, Node> {
   using strategy = typename node_types<Graph, Node>::strategy;
 };
 
-// In a replay nobody knows in which beats the samples of a free-running environment arrived.
+// A replay does not know in which beats the samples of a free-running environment will arrive.
 template <Deployment D>
   requires has_free_running<D>
 inline constexpr flat_of<recording::replaying<D>> plan_of<recording::replaying<D>> =

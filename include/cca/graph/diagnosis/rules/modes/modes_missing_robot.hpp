@@ -1,5 +1,5 @@
-// modes.missing_robot: every mode has all resource nodes. One that a mode lacks would be driven by nobody,
-// and nobody would go on stopping it.
+// modes.missing_robot: every mode has all resource nodes. In a mode without one its robot would be
+// neither driven nor stopped.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
