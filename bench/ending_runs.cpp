@@ -18,12 +18,15 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -356,11 +359,29 @@ void hang() {
                                  : "confirmed to be off");
 }
 
+constexpr const char* usage =
+    "bench_ending [ENDS]   measures how long the drives get no frame while a run ends\n\n"
+    "  ENDS   how many orderly ends of each kind, from 1 to 100000; 200\n";
+
+// 0: no number of ends.
+int number_of_ends(std::string_view word) {
+  int ends = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), ends);
+  const bool is_number = error == std::errc() && end == word.data() + word.size();
+  return is_number && ends >= 1 && ends <= 100'000 ? ends : 0;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
+  const std::string_view word = count > 1 ? words[1] : "200";
+  if (count == 2 && (word == "--help" || word == "-h")) return std::fputs(usage, stdout), 0;
+  const int ends = count <= 2 ? number_of_ends(word) : 0;
+  if (ends == 0) {
+    std::fprintf(stderr, "bench_ending: `%s` is no number of ends\n\n%s", words[count - 1], usage);
+    return 2;
+  }
   in_real_time();
-  const int ends = count > 1 ? std::atoi(words[1]) : 200;
   std::printf("%-22s %4s  %27s  %27s\n%-22s %4s", "", "", "robot: longest gap [periods]", "bare loop", "",
               "ends");
   for (int i = 0; i < 2; ++i) std::printf("  %6s %6s %6s  %3s", "median", "p99", "most", ">2");

@@ -290,14 +290,32 @@ class Architecture:
         for node in self.nodes:
             if node.environment == self.free:
                 node.strategy, node.rests, node.root = ("full_speed",), None, None
-        order = {id(node): place for place, node in enumerate(self.components)}
+                if not node.resource and rng.randrange(100) < 20:
+                    node.strategy = ("stoppable", node.strategy)
+                    self.count("components of free-running environments that may be stopped")
         for wire in self.wires:
-            a, b = wire.writer, wire.reader
-            senses, acts = wire.out in a.ports.get("sense", ([], []))[1], wire.into in b.ports.get("act", ([], []))[0]
-            in_order = (senses or id(a) in order) and (acts or id(b) in order) and (senses or acts or order[id(a)] < order[id(b)])
-            if a.environment != b.environment and self.free in (a.environment, b.environment) and wire.delayed() and in_order and rng.randrange(2):
+            if self.crosses_freely(wire) and wire.delayed() and rng.randrange(2):
                 wire.policy = ("latest",)
                 self.count("wires without delay to or from a free-running environment")
+
+    def crosses_freely(self, wire):
+        """It may do without delay: it leads forwards in a beat, to or from the environment that runs freely."""
+        a, b = wire.writer, wire.reader
+        order = {id(node): place for place, node in enumerate(self.components)}
+        senses, acts = wire.out in a.ports.get("sense", ([], []))[1], wire.into in b.ports.get("act", ([], []))[0]
+        in_order = (senses or id(a) in order) and (acts or id(b) in order) and (senses or acts or order[id(a)] < order[id(b)])
+        return in_order and a.environment != b.environment and self.free in (a.environment, b.environment)
+
+    def queue_freely(self):
+        """Queues and merged wires to and from it may do without delay as well."""
+        rng = random.Random(f"{self.seed} queues freely")
+        for wire in self.wires:
+            if self.free is None or wire.policy[0] != "delayed" or len(wire.policy) == 2 or not self.crosses_freely(wire):
+                continue
+            same = [one for one in self.wires if one.into is wire.into and one.out is wire.out and one is not wire and one.policy[0] != "delayed"]
+            if rng.randrange(100) < 70 and not same:
+                wire.policy = wire.policy[2:]
+                self.count(f"{wire.policy[0]} wires without delay to or from a free-running environment")
 
     def let_rest(self):
         """Some can be stopped. In one loop somebody stops them for a while, in environments nobody does."""
@@ -469,6 +487,7 @@ class Architecture:
                 self.merge(rng, wire)
         for node in self.nodes:
             self.look_at_queues(rng, node)
+        self.queue_freely()
 
     def when_full(self, rng, *wires):
         """`reject` only where no clock proves that the queue overflows."""
@@ -564,9 +583,11 @@ class Architecture:
         for graph in self.types:
             for name, child in graph.children:
                 if isinstance(child, Graph) and rng.randrange(100) < 45 and not any(
-                        node.resource or node.skeleton or node.environment == self.free for node in self.nodes_of(child)):
+                        node.resource or node.skeleton for node in self.nodes_of(child)):
                     graph.stoppable.add(name)
                     self.count("inner graphs that may be stopped")
+                    self.count("inner graphs that may be stopped, partly in a free-running environment",
+                               any(node.environment == self.free for node in self.nodes_of(child)))
         for graph in self.types:
             paths = ["/" + path for path, _ in self.parts()] + sorted(graph.stoppable)
             for _, node in graph.children:

@@ -101,7 +101,7 @@ private:
   // Of a part only while that is started.
   CCA_INLINE firing fires() const {
     if constexpr (part >= 0)
-      if (b.rests[array_size(part)]) return {};
+      if (b.rests[array_size(part)] && !is_played()) return {};
     return fires_while_started();
   }
   // Settled at compile time if the clock is known; else its strategy is asked.
@@ -137,7 +137,10 @@ private:
         // rested.
         const std::int64_t last_known = b.k - beats;
         const bool is_known = last_known >= known_since();
-        if constexpr (!c.unsteady) {
+        if constexpr (runs_in_cycles<Graph>) {
+          const std::int64_t since = b.state.parts[array_size(part)].since;
+          return {true, is_known ? b.state.beats_since : 1, is_known ? last_known : since - 1};
+        } else if constexpr (!c.unsteady) {
           const std::int64_t since = b.state.parts[array_size(part)].since;
           return {is_now, is_known || is_period ? beats : 1, is_known ? last_known : since - 1};
         } else {
@@ -153,6 +156,10 @@ private:
         return {is_now, is_period || !is_first ? beats : 1, is_first ? -1 : b.k - beats};
       }
     }
+  }
+  // In a replay what was published arrives, whether its component rests meanwhile or not.
+  CCA_INLINE bool is_played() const {
+    return played_call<typename as_planned<Graph>::type, Call>::is_now(b.state);
   }
   CCA_INLINE std::int64_t this_beat() const {
     if constexpr (runs_in_cycles<Graph>) return b.state.beat;

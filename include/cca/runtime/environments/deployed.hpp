@@ -153,6 +153,12 @@ private:
     const std::int64_t own = looked_at[detail::array_size(environment)];
     return own > 0 ? own : k;
   }
+  // The same as its loop counts: cycles of a free-running one.
+  template <int E>
+  std::int64_t next_of() const {
+    if constexpr (detail::is_free_running<D, E>) return loops.template at<E>().index();
+    else return next_beat_of(E);
+  }
   void check_part(const char*, int part) const { placed::check_part_is_here(part); }
   void tell_part([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
     loops.for_each([&]<int E>(auto& loop) {
@@ -170,7 +176,7 @@ private:
     if constexpr (detail::parts_kept<D> > 0) {
       auto& loop = loops.template at<E>();
       if (loop.state.parts[detail::array_size(part)].is_stopped == stops) return;
-      detail::change_part<detail::part<D, E>>(loop.state, part, stops, next_beat_of(E));
+      detail::change_part<detail::part<D, E>>(loop.state, part, stops, next_of<E>());
       loop.tell_part(part, stops, false, next_beat_of(E));
     }
   }
@@ -245,7 +251,7 @@ private:
   template <int E, class Between>
   void look_after([[maybe_unused]] Between& between) {
     if constexpr (requires { between.template after_beat<E>(*this); }) {
-      looked_at[E] = loops.template at<E>().k;
+      looked_at[E] = loops.template at<E>().next_beat();
       between.template after_beat<E>(*this);
       looked_at[E] = 0;
     }

@@ -233,7 +233,8 @@ private:
 
   template <int Output, class State>
   void receive_one(State& state, std::int64_t k, std::int64_t end) noexcept {
-    const std::int64_t came = !has_parts ? index_at(k) : is_exact ? arrives_when_published : received;
+    constexpr bool is_index = is_free || !has_parts;
+    const std::int64_t came = is_index ? index_at(k) : is_exact ? arrives_when_published : received;
     receive_samples<D, E, Output>(state, static_cast<next_arrival<D, Output>&>(*this), k, end, came);
   }
 
@@ -311,8 +312,7 @@ private:
     }
   }
 
-  std::array<std::int64_t, array_size(environment_count<D>)> seen{};  // how far the others were
-  std::array<std::int64_t, array_size(environment_count<D>)> late_in_a_row{};
+  std::array<std::int64_t, array_size(environment_count<D>)> seen{}, late_in_a_row{};  // of the others
   std::int64_t received = 0;  // after the last beat before which samples were taken
 };
 

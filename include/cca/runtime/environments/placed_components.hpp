@@ -49,12 +49,13 @@ protected:
     constexpr int e = environment_of<Node>;
     return component_at<part<D, e>, Node>(self.loops.template at<e>().state);
   }
-  // f.template operator()<part<D, E>>(state, next beat) for each environment here that has a node of a part.
+  // f.template operator()<part<D, E>>(state, next beat or cycle) for each environment here that has a node of
+  // a part.
   template <class F, class Placed>
   static void for_each_part_state(int number, F f, Placed& self) {
     self.loops.for_each([&]<int E>(auto& loop) {
       if (self.here[E] && has_part<D, E>(number))
-        f.template operator()<part<D, E>>(loop.state, self.next_beat_of(E));
+        f.template operator()<part<D, E>>(loop.state, self.template next_of<E>());
     });
   }
   void check_part_is_here(int number) const {

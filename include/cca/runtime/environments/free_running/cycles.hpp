@@ -64,8 +64,10 @@ protected:
     std::int64_t asked_at = 0;
     while (!is_over()) {
       // A pause of the first environment is one of all. It may go on without a further beat only at the end.
+      // While all parts are stopped nothing can happen before the next beat.
       if (const std::int64_t next = loop().begun() + 1;
-          next < end && shared.environments[0].is_paused.load(std::memory_order_acquire))
+          next < end &&
+          (shared.environments[0].is_paused.load(std::memory_order_acquire) || is_stopped_wholly()))
         if (!loop().wait_for_beat(next, after_cycle)) return;
       run_cycle();
       if (loop().active_at - asked_at > most_trust) {
@@ -95,6 +97,16 @@ private:
     own.slowest.end(loop().state.beat, needed);
     loop().state.ring();
     loop().tell_reached();
+  }
+  bool is_stopped_wholly() const {
+    if constexpr (parts_kept<part<D, E>> > 0) {
+      for (const component_node& node : plan_of<D>.nodes)
+        if (node.item && node.environment == E &&
+            (node.part < 0 || !loop().state.parts[array_size(node.part)].rests))
+          return false;
+      return true;
+    }
+    return false;
   }
   bool is_on_a_clock() const { return loop().state.shared && !loop().state.is_exact; }
   Loop& loop() { return static_cast<Loop&>(*this); }

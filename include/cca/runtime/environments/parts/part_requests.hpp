@@ -48,9 +48,11 @@ public:
       if (oldest == no_position) break;
       (join<From>(shared, state, oldest), ...);
       const std::int64_t next = std::max(oldest + 1, known);
-      take_requests<part<D, E>>(state, next, [&](int number, bool stops) { f(number, stops, next); });
+      std::int64_t from = next;
+      if constexpr (is_free_running<D, E>) from = state.index;  // it counts cycles
+      take_requests<part<D, E>>(state, from, [&](int number, bool stops) { f(number, stops, next); });
     }
-    known = std::max(known, beat);
+    known = std::max(known, beat + 1);
   }
   // Those that are there are of a run before, or of a beat that a fault has ended.
   void forget(exchange<D>& shared) noexcept {
@@ -88,7 +90,7 @@ private:
   }
 
   std::array<std::uint64_t, array_size(environment_count<D>)> taken{};
-  std::int64_t known = 0;  // the first beat for which not all has been taken
+  std::int64_t known = 0;  // the first beat that a request can still change: those before have begun
 };
 
 // What the components of environment E have asked for in beat k.
@@ -104,12 +106,15 @@ template <class D, int E, class State>
   shared.template ring<counts_of<D>.output_count + E>().put(asked, 0, k, is_exact);
 }
 
-// The first node of a part: its environment tells a recorder of the part.
+// The first node of a part: its environment tells a recorder of the part. A free-running one only where no
+// other has a node: in a wall-clock run its components are not replayed, so it matters when the others stop.
 template <class D>
 constexpr int first_node_of_part(int number) {
-  int node = 0;
-  while (node + 1 < counts_of<D>.node_count && !is_in_part<D>(node, number)) ++node;
-  return node;
+  int first = -1;
+  for (int node = counts_of<D>.node_count; node-- > 0;)
+    if (is_in_part<D>(node, number) && (first < 0 || !is_free_node<D>(node) || is_free_node<D>(first)))
+      first = node;
+  return first < 0 ? 0 : first;
 }
 
 template <class D, int E, int Call>

@@ -1,5 +1,5 @@
-// deployment.free_running: what runs in a free-running environment is full_speed; and the first environment,
-// which gives the beat, is not free-running.
+// deployment.free_running: what runs in a free-running environment is full_speed, while it is started; and
+// the first environment, which gives the beat, is not free-running.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -13,8 +13,7 @@ struct deployment_free_running {
     if (!g.environments[f.environment].is_free_running) return false;
     if (f.environment == 0) return true;
     for (int n = 0; n < g.node_count; ++n)
-      if (g.nodes[n].environment == f.environment &&
-          (!is_full_speed(*g.nodes[n].item) || g.nodes[n].part >= 0)) {
+      if (g.nodes[n].environment == f.environment && !is_full_speed(*g.nodes[n].item)) {
         f.item = g.nodes[n].item;
         f.scope = g.nodes[n].scope;
         f.component = n;
@@ -36,21 +35,17 @@ struct deployment_free_running {
     m.node();
     m.say() << " runs in ";
     m.environment(m.found().environment);
-    m.say() << ", whose cycles begin without pause, but ";
-    if (is_full_speed(m.item())) {
-      m.say() << "it is in a part that can be stopped: place it in another environment, or make the part "
-                 "none that stops";
-      return;
-    }
-    m.say() << "its strategy is ";
+    m.say() << ", whose cycles begin without pause, but its strategy is ";
     strategy_of_call(m.g, m.g.calls[m.g.nodes[m.found().component].first_call]).add_name(m.say());
     m.say() << ": write cca::node<`" << m.item().from << "`, " << m.item().component->name()
-            << ", cca::full_speed>, or place it in another environment";
+            << (m.item().is_stoppable() ? ", cca::stoppable<cca::full_speed>>" : ", cca::full_speed>")
+            << ", or place it in another environment";
   }
 
 private:
   static constexpr bool is_full_speed(const item_info& node) {
-    return node.strategy_key == type_key<full_speed>;
+    const auto strategy = node.strategy_while_started();
+    return strategy && &*strategy == &strategy_of<full_speed>;
   }
 };
 

@@ -1,0 +1,59 @@
+// Parts with components in free-running environments: what stops and starts in a wall-clock run is replayed
+// bit for bit, also where a stopped component's last results arrive.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+#include <cca/record.hpp>
+
+#include "../deployment/free_running_parts.hpp"
+
+using namespace free_parts;
+
+namespace {
+
+struct apart : spread<cca::tolerate<100000>>, cca::recordable {};
+
+std::string file() {
+  return (std::filesystem::temp_directory_path() / ("cca_free_parts_" + std::to_string(::getpid()) + ".mcap"))
+      .string();
+}
+
+}  // namespace
+
+TEST_SUITE("recording of free-running parts") {
+  TEST_CASE("cycles shorter and longer than a beat") {
+    for (const std::int64_t us : {0, 300, 4'000}) {
+      CAPTURE(us);
+      cca::recording::replay_result result;
+      for (const double speed : {0.5, 0.1, 0.03}) {  // slower where the busy machine left out beats
+        {
+          cca::deployed<apart> d;
+          const cca::recording::recorder into(d, file());
+          d.load();
+          d.start();
+          d.run(cca::for_beats<40>{});
+          cycle_in_us = us;
+          d.run(cca::for_beats<90>{}, cca::at_speed(speed));
+          d.stop<"sight">();
+          d.run(cca::for_beats<10>{}, cca::at_speed(speed));
+          d.start<"sight">();
+          d.run(cca::for_beats<60>{}, cca::at_speed(speed));
+          cycle_in_us = 0;
+          CHECK_GT(d.get<"sight.look">().stops, 3);
+          d.stop();
+        }
+        result = cca::recording::replay<apart>(file());
+        if (result.ended_early.empty()) break;
+      }
+      std::filesystem::remove(file());
+      CAPTURE(result.difference);
+      CAPTURE(result.ended_early);
+      CHECK(result);
+      CHECK_GE(result.beats, 200);
+    }
+  }
+}
