@@ -63,7 +63,7 @@ struct expectation_maximisation {
 
   struct settings {
     BOOST_HANA_DEFINE_STRUCT(settings,
-                             (bounded<double, 0, infinity>, floor),
+                             (detail::variance_floor, floor),
                              (bounded<double, 0, infinity>, tolerance),
                              (bounded<int, 1, 10000>, iterations));
     constexpr settings(double least = 1e-6, double small = 1e-6, int most = 200)
@@ -131,7 +131,8 @@ private:
         S += r(k, static_cast<Eigen::Index>(t)) * (points[t] - mean) * (points[t] - mean).transpose();
       p.priors[k] = n / static_cast<double>(points.size());
       p.means.col(k) = mean;
-      p.covariances[static_cast<std::size_t>(k)] = (S + S.transpose()) / (2 * n) + floor * square::Identity();
+      p.covariances[static_cast<std::size_t>(k)] =
+          detail::above_floor<size>((S + S.transpose()) / (2 * n), floor);
     }
   }
   static double expect(const parameters& p, const std::vector<point>& points, Eigen::MatrixXd& r) {

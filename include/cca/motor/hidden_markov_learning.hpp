@@ -90,7 +90,7 @@ struct baum_welch {
 
   struct settings {
     BOOST_HANA_DEFINE_STRUCT(settings,
-                             (bounded<double, 0, infinity>, floor),
+                             (detail::variance_floor, floor),
                              (bounded<double, 0, infinity>, tolerance),
                              (bounded<int, 1, 10000>, iterations),
                              (bounded<double, 0, 1>, unseen));
@@ -186,7 +186,7 @@ private:
       p.occupancy[k] = n / static_cast<double>(points.size());
       p.mixture.means.col(k) = mean;
       p.mixture.covariances[static_cast<std::size_t>(k)] =
-          (S + S.transpose()) / (2 * n) + floor * square::Identity();
+          detail::above_floor<size>((S + S.transpose()) / (2 * n), floor);
     }
   }
 
@@ -228,7 +228,8 @@ private:
             e.state.col(t - 1).asDiagonal() * p.transitions * from_here.asDiagonal();
         if (const double all = both.sum(); all > 0) e.passages += both / all;
         later = p.transitions * from_here;
-        later /= later.maxCoeff();
+        if (const double most = later.maxCoeff(); most > 0) later /= most;
+        else later.setOnes();  // no state leads to what came: then it tells nothing about this one
         const weights smoothed = e.state.col(t - 1).cwiseProduct(later);
         if (const double all = smoothed.sum(); all > 0) e.state.col(t - 1) = smoothed / all;
       }

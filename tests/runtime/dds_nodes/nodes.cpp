@@ -11,6 +11,17 @@
 
 using namespace talk;
 
+namespace twins {
+struct leg : cca::space<cca::number, cca::axes<cca::x>> {};
+struct Leg : cca::space<cca::number, cca::axes<cca::x>> {};
+namespace a_b {
+struct c : cca::space<cca::number, cca::axes<cca::x>> {};
+}  // namespace a_b
+namespace a {
+struct b_c : cca::space<cca::number, cca::axes<cca::x>> {};
+}  // namespace a
+}  // namespace twins
+
 namespace laws {
 std::size_t allocations_of_this_thread();
 }
@@ -143,5 +154,19 @@ TEST_SUITE("idl") {
           std::string::npos);
     CHECK(cca::idl<paws>().find("    double values[14];\n") != std::string::npos);
     CHECK(cca::idl<picture>().find("    double values[9216];\n") != std::string::npos);
+  }
+  TEST_CASE("a space stands there once, and two of one name are refused") {
+    CHECK_EQ(cca::idl<leg_angles, any, leg_angles>(), cca::idl<leg_angles, any>());
+    const auto refusal = [](auto write) -> std::string {
+      try {
+        write();
+      } catch (const cca::refused& e) { return e.what(); }
+      return "";
+    };
+    CHECK_EQ(
+        refusal([] { (void)cca::idl<twins::leg, twins::Leg>(); }),
+        "cca::idl: `twins::leg` and `twins::Leg` have one name in IDL, `twins_Leg_sample`: write them into "
+        "two files, or rename one");
+    CHECK_NE(refusal([] { (void)cca::idl<twins::a_b::c, twins::a::b_c>(); }), "");
   }
 }

@@ -15,11 +15,13 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 
+#include <cca/base/refused.hpp>
 #include <cca/base/type_name.hpp>
 #include <cca/dds/space_message.hpp>
 #include <cca/version.hpp>
@@ -121,17 +123,39 @@ std::string idl_of_space() {
   return all.str();
 }
 
+// The spaces of one text.
+class spaces_in_idl {
+public:
+  // False: it is there.
+  template <class Space>
+  bool add() {
+    const std::string own{cca::detail::spelled<Space>()};
+    std::string name = name_in_idl<Space>();
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const auto [one, is_new] = spelled.emplace(name, own);
+    if (!is_new && one->second != own)
+      throw refused("cca::idl: `" + one->second + "` and `" + own + "` have one name in IDL, `" +
+                    name_in_idl<Space>() + "_sample`: write them into two files, or rename one");
+    return is_new;
+  }
+
+private:
+  std::map<std::string, std::string> spelled;  // by their names in IDL, in small letters
+};
+
 }  // namespace dds::detail
 
-// Spaces of one name are different types in two files only.
+// A space that is named twice stands there once. Refused: two spaces whose names are one in IDL, which knows
+// no difference between `Leg` and `leg`; write them into two files.
 template <class... Spaces>
 std::string idl() {
   static_assert(sizeof...(Spaces) > 0,
                 "cca::idl: name the spaces, as in `cca::idl<leg_angles, trunk_pose>()`");
+  dds::detail::spaces_in_idl known;
   std::string all = "// Written by cca::idl of cca " + std::to_string(version_major) + "." +
                     std::to_string(version_minor) + "." + std::to_string(version_patch) +
                     ". The messages are XCDR1, the publishers reliable and volatile.\n";
-  ((all += "\n" + dds::detail::idl_of_space<Spaces>()), ...);
+  ((known.add<Spaces>() ? void(all += "\n" + dds::detail::idl_of_space<Spaces>()) : void()), ...);
   return all;
 }
 

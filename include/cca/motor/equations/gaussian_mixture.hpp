@@ -18,6 +18,7 @@
 // (tests/runtime/motor/gmr.cpp).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -28,6 +29,7 @@
 
 #include <cca/base/reflect.hpp>
 #include <cca/base/eigen.hpp>
+#include <cca/component/field_types.hpp>
 
 namespace cca {
 
@@ -79,6 +81,24 @@ double log_density(const Eigen::Matrix<double, N, 1>& off, const Eigen::Matrix<d
   double half_log_determinant = 0;
   for (int i = 0; i < N; ++i) half_log_determinant += std::log(factor.matrixLLT()(i, i));
   return -0.5 * off.dot(factor.solve(off)) - half_log_determinant - 0.5 * N * std::log(2 * std::numbers::pi);
+}
+
+// What the learners of Gaussians add to each variance.
+using variance_floor = bounded<double, 1e-12, 1e12>;
+
+// A covariance of examples plus `floor` in each direction. Where the examples lie in a plane, far apart,
+// rounding can leave it without a Cholesky factor: then so much more is added that it has one.
+template <int N>
+Eigen::Matrix<double, N, N> above_floor(const Eigen::Matrix<double, N, N>& covariance, double floor) {
+  using square = Eigen::Matrix<double, N, N>;
+  square made = covariance + floor * square::Identity();
+  const auto is_sound = [&made] {
+    const Eigen::LLT<square> factor(made);
+    return factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() >= 1e-12;
+  };
+  double more = std::max(1e-12, 1e-16 * made.trace());
+  for (int i = 0; i < 40 && !is_sound(); ++i, more *= 10) made += more * square::Identity();
+  return made;
 }
 
 // The logarithm of a sum, from the logarithms of its terms.
