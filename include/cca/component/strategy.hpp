@@ -61,6 +61,7 @@ struct arrival {
   std::string_view input;
   clock when;
   bool queued = false;
+  bool observed = false;  // by a pattern: it has no origin of its own
 };
 
 // The wired inputs of one function.

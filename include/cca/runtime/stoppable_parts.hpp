@@ -97,12 +97,18 @@ void mark_part(State& state, int part, bool stops, std::int64_t next) {
   }
 }
 
+template <class Graph, class State>
+auto parts_at_rest(const State& state) {
+  std::array<bool, array_size(parts_kept<Graph> + 1)> rested{};
+  for (int p = 0; p < parts_kept<Graph>; ++p) rested[array_size(p)] = state.parts[array_size(p)].rests;
+  return rested;
+}
+
 // Stops or starts a part with its hooks.
 template <class Graph, class State>
 void change_part(State& state, int part, bool stops, std::int64_t next) {
   if (state.parts[array_size(part)].is_stopped == stops) return;
-  std::array<bool, array_size(parts_kept<Graph> + 1)> rested{};
-  for (int p = 0; p < parts_kept<Graph>; ++p) rested[array_size(p)] = state.parts[array_size(p)].rests;
+  const auto rested = parts_at_rest<Graph>(state);
   mark_part<Graph>(state, part, stops, next);
   note_change<Graph>(state, rested, next);
 }
@@ -123,15 +129,22 @@ void forget_requests(State& state) {
   state.is_asked = false;
 }
 
-// What the components of the last beat have asked for, before beat `next`. f(part, stops) for each change.
+// What the components of the last beat have asked for, before beat `next`: all of it at once, so a part in
+// another one that starts, which is itself stopped, has neither on_start nor on_stop. f(part, stops) for each
+// change.
 template <class Graph, class State, class F>
 void take_requests(State& state, std::int64_t next, F f) {
+  const auto rested = parts_at_rest<Graph>(state);
+  bool is_change = false;
   for (int p = 0; p < parts_kept<Graph>; ++p) {
-    const int asked = std::exchange(state.parts[array_size(p)].asked, 0);
-    if (asked == 0 || state.parts[array_size(p)].is_stopped == (asked < 0)) continue;
-    change_part<Graph>(state, p, asked < 0, next);
+    auto& part = state.parts[array_size(p)];
+    const int asked = std::exchange(part.asked, 0);
+    if (asked == 0 || part.is_stopped == (asked < 0)) continue;
+    mark_part<Graph>(state, p, asked < 0, next);
+    is_change = true;
     f(p, asked < 0);
   }
+  if (is_change) note_change<Graph>(state, rested, next);
   state.is_asked = false;
 }
 

@@ -200,6 +200,33 @@ TEST_SUITE("parts") {
     CHECK_EQ(twice.get<"reach">().get<"aim">().beats, beats{0, 1, 2, 3, 6, 7, 8, 9});
   }
 
+  TEST_CASE("what is asked for in one beat has effect at once: hooks run only where something changes") {
+    struct asks {
+      auto process(cca::beat now) -> std::tuple<cca::stops<"around">,
+                                                cca::starts<"around">,
+                                                cca::stops<"around.reach">,
+                                                cca::starts<"around.reach">> {
+        return {now.index() == 1, now.index() == 3, now.index() == 3, now.index() == 5};
+      }
+    };
+    struct inner : cca::graph<cca::node<"reach", noting, cca::stoppable<cca::timed<1>>>,
+                              cca::node<"other", noting, cca::timed<1>>, cca::expose<"reach.x", "x">,
+                              cca::expose<"other.x", "z">> {};
+    struct outer : cca::graph<cca::rate<1000>, cca::node<"source", source>, cca::node<"asks", asks>,
+                              cca::node<"around", inner, cca::stoppable<>>, cca::wire<"source.y", "around.x">,
+                              cca::wire<"source.y", "around.z">, cca::observe<"around.**">> {};
+    auto c = running<cca::controller<outer>>();
+    const auto& reach = c.get<"around.reach">();
+    c.run(cca::for_beats<5>{});  // when beat 4 begins `around` starts, and `reach` in it stays at rest
+    CHECK_EQ(reach.starts, 1);
+    CHECK_EQ(reach.stops, 1);
+    CHECK_EQ(c.get<"around.other">().starts, 2);
+    c.run(cca::for_beats<5>{});
+    CHECK_EQ(reach.starts, 2);
+    CHECK_EQ(reach.beats, beats{0, 1, 6, 7, 8, 9});
+    CHECK_EQ(c.get<"around.other">().beats, beats{0, 1, 4, 5, 6, 7, 8, 9});
+  }
+
   TEST_CASE("a component of an inner graph reaches parts around it, and parts of the outermost graph by /") {
     struct upwards {
       auto process(cca::in<"x", reading> x, cca::beat now)

@@ -30,7 +30,7 @@ constexpr auto with_arrivals(const flat_view& g, const call& t, F f) {
   int count = 0;
   for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
     if (const auto& in = g.inputs[i]; in.wired)
-      list[count++] = {port_of(g, in).name, arrival_clock(g, in), is_queued(in)};
+      list[count++] = {port_of(g, in).name, arrival_clock(g, in), is_queued(in), !port_of(g, in).space};
   return f(arrivals{&list[0], count});
 }
 
