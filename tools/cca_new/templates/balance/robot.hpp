@@ -27,7 +27,7 @@ struct room : cca::frame<"room"> {};
 struct pole_end : cca::frame<"pole end"> {};
 
 struct chain : cca::serial_chain<room, pole_end, cca::axes<cart, pole>> {
-  static constexpr std::array joints{cca::prismatic(cca::along_x, cca::at(0, 0, 1)),
+  static constexpr std::array joints{cca::prismatic(cca::along_x, cca::at(0, 0, 0.1)),
                                      cca::revolute(cca::along_y)};
   static constexpr auto tip = cca::at(0, 0, 0.6);
   static constexpr std::array links{// mass in kg; centre in m; xx, yy, zz, xy, xz, yz in kg m^2
