@@ -229,6 +229,11 @@ class Words(Tree):
         self.assertEqual(len(self.found("", "docs/a.md") + self.found("// It goes as fast\n  // as possible.\n", "include/cca/a.hpp")), 1)
         self.assertEqual(self.found("At wall-clock speed.\n", "CHANGELOG.md")[1:], [])
 
+    def test_written(self):
+        file = self.write("include/cca/a.hpp", "// At wall-clock\n// speed it goes, as fast as possible it waits.\n")
+        self.assertEqual(list(words.problems(self.root, write=True)), [])
+        self.assertEqual(file.read_text(), "// In a wall-clock\n// run it goes, in a fast run it waits.\n")
+
 
 class Figures(Tree):
     PAGE = """## The trot's controller

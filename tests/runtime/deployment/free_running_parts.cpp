@@ -1,5 +1,5 @@
-// Parts of free-running environments: in a fast run they stop and start as in one loop, at wall-clock
-// speed when their cycle ends.
+// Parts of free-running environments: in a fast run they stop and start as in one loop, in a wall-clock
+// run when their cycle ends.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -128,7 +128,7 @@ TEST_SUITE("deployed free-running parts") {
     }
   }
 
-  TEST_CASE("from outside, while it runs on a clock") {
+  TEST_CASE("from outside, while it runs in a wall-clock run") {
     const cycles_of slow(700);
     cca::deployed<spread<cca::tolerate<100000>>> d;
     d.load();
