@@ -215,6 +215,25 @@ TEST_SUITE("semantics by hand: merged wires and delayed queues") {
     CHECK(log == seen_inputs{{0, 0, 0, true}, {1, 0, ms, true}, {2, 100, 0, true}, {3, 0, 3 * ms, true}});
   }
 
+  TEST_CASE("origin: an observer of what is merged counts the samples that close no loop for it") {
+    // o hears what waits for q, to which it sends what it heard; so does the slow sensor.
+    struct relay_heard {
+      auto process(cca::observe<"q.x.**"> all) -> cca::out<"y", value> { return all.begin()->values[0]; }
+    };
+    struct g : cca::graph<ms1, cca::node<"s", count_from<100>, cca::timed<4>>,
+                          cca::node<"o", relay_heard, cca::timed<1>>, cca::node<"q", look, cca::timed<1>>,
+                          cca::node<"r", look>, cca::wire<"o.y", "q.x", cca::merged<4>, cca::delayed<1>>,
+                          cca::wire<"s.y", "q.x", cca::merged<4>>, cca::wire<"o.y", "r.x", cca::queue<4>>> {};
+    // Beat 4: o's own of beat 3 came when the beat began. Beat 5: the sensor's of beat 4 is the oldest.
+    const auto log = after<g>(6).get<"r">().log;
+    CHECK(log == seen_inputs{{0, 100, 0, true},
+                             {1, 100, ms, true},
+                             {2, 100, 2 * ms, true},
+                             {3, 100, 3 * ms, true},
+                             {4, 100, 4 * ms, true},
+                             {5, 104, 4 * ms, true}});
+  }
+
   TEST_CASE("until a first sample has come: the initial value of whichever wire states one") {
     CHECK(seen<cca::node<"a", count, cca::timed<9, 8>>, cca::node<"b", count, cca::timed<9, 2>>,
                cca::node<"r", look, cca::timed<1>>, cca::wire<"a.y", "r.x", cca::merged<4>>,

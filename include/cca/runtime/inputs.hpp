@@ -73,6 +73,12 @@ struct input_reader {
   static constexpr bool counts = in.writer >= 0 && (in.counts || in.counts_vary);
   static constexpr bool has_surely_arrived = counts && in.in_beat && in.delay == 0;
 
+  // Of a queue into which some ways close a loop: does that of this sample?
+  template <class Sample>
+  CCA_INLINE static bool counts_here(const Sample& sample) {
+    return (sample.counts_for >> in.mark & 1) != 0;
+  }
+
   // Makes `oldest` the older of the two; of an input that `has_surely_arrived`, or of one that has not.
   template <bool Sure>
   CCA_INLINE static void add_origin([[maybe_unused]] std::int64_t& oldest,
@@ -81,7 +87,7 @@ struct input_reader {
     if constexpr (counts && has_surely_arrived == Sure) {
       const auto* sample = shown(b, index);
       if constexpr (in.counts_vary)
-        if (sample && !sample->counts) return;
+        if (sample && !counts_here(*sample)) return;
       if constexpr (Sure) oldest = sample->origin() < oldest ? sample->origin() : oldest;
       else if constexpr (is_never_null) oldest = older(oldest, sample->origin());
       else oldest = sample ? older(oldest, sample->origin()) : oldest;

@@ -74,7 +74,13 @@ template <class Graph, int Call>
 CCA_INLINE std::int64_t oldest_heard(const beat_context<Graph>& b, std::int64_t oldest) {
   for_each_observed<Graph, Call>([&]<int Link>() {
     using from = observed_sample<Graph, Link>;
-    if constexpr (from::reader::counts) oldest = older(oldest, from::origin(b));
+    if constexpr (from::reader::counts) {
+      if constexpr (from::reader::in.counts_vary) {
+        const auto* sample = from::reader::shown(b, from::index);
+        if (sample && !from::reader::counts_here(*sample)) return;
+      }
+      oldest = older(oldest, from::origin(b));
+    }
   });
   return oldest;
 }

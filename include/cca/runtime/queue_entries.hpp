@@ -36,7 +36,8 @@ CCA_INLINE void put_into_queue(
     State& state, beat_outcome& outcome, const Vector& v, std::int64_t origin, std::int64_t k) {
   constexpr place at = layout_of<Graph>.sources[Way];
   constexpr const auto& in = input_of<Graph, Way>;
-  const bool had_room = sample_in<Graph, at.array>(state, at.index).put(v, origin, k, in.counts);
+  const bool had_room =
+      sample_in<Graph, at.array>(state, at.index).put(v, origin, k, in.counts_for | std::uint64_t{in.counts});
   if constexpr (in.wire->full == full_kind::reject) {
     if (!had_room && !played_call<typename as_planned<Graph>::type, in.call>::is_now(state))
       outcome = {"a sample arrived while the queue was full", call_of<Graph, in.call>.node};

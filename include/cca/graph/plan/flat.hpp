@@ -92,6 +92,9 @@ struct input {
   int turn = 0;    // of a way: its place among those into one input, by the order of publication
   bool counts_arrivals = false;  // its strategy may ask how many samples came in a beat
   bool counts_vary = false;      // the ways into it differ in whether their samples count for the origin
+  int mark = 0;                  // of an observer of such a queue: the bit that tells for it; 0: the reader's
+  int mark_count = 0;            // of such a queue: bits of observers
+  std::uint64_t counts_for = 0;  // of a way: the bits of the observers for which its samples count
   bool watched = false;          // an `observe` of the graph names it
   ref<item_info> watched_as = nullptr;
   std::uint64_t modes = 0;  // of a set of modes: those that have this queue

@@ -12,15 +12,16 @@
 
 namespace cca::detail {
 
-// Where wires of two kinds are merged: whether a sample counts for the origin of what is made from it.
+// Where wires of two kinds are merged: for whom a sample counts, for the origin of what is made from it. Bit
+// 0 is the component's that takes it, the others are those of observers (graph/plan/steps/feedback.hpp).
 template <int Size, bool Varies>
 struct waiting_sample : stored_sample<Size> {
-  CCA_INLINE void mark(bool) {}
+  CCA_INLINE void mark(std::uint64_t) {}
 };
 template <int Size>
 struct waiting_sample<Size, true> : stored_sample<Size> {
-  bool counts = true;
-  CCA_INLINE void mark(bool it_counts) { counts = it_counts; }
+  std::uint64_t counts_for = 1;
+  CCA_INLINE void mark(std::uint64_t whom) { counts_for = whom; }
 };
 
 // How many samples have come in the newest beat in which any came, where a strategy may ask.
@@ -45,7 +46,7 @@ class waiting_samples : public counted_arrivals<CountsArrivals> {
 public:
   // In beat k. False: it was full, and a sample is lost.
   template <class Vector>
-  CCA_INLINE bool put(const Vector& v, std::int64_t origin, std::int64_t k, bool counts_for_origin) {
+  CCA_INLINE bool put(const Vector& v, std::int64_t origin, std::int64_t k, std::uint64_t counts_for) {
     this->count_arrival(k);
     const bool has_room = count < Capacity;
     if (!has_room) {
@@ -55,7 +56,7 @@ public:
     }
     const int end = head + count, at = end < Capacity ? end : end - Capacity;
     ring[at].store(v, origin);
-    ring[at].mark(counts_for_origin);
+    ring[at].mark(counts_for);
     ++count;
     return has_room;
   }

@@ -80,6 +80,28 @@ constexpr bool has_delays(const flat_view& g) {
   return false;
 }
 
+// An observer of a queue hears what comes by all ways into it. Some may close a loop for it and others not:
+// then each sample is marked, because they need not be those that close one for the queue's own component.
+constexpr void find_feedback_of_observer(flat_view& g, const loop_search& loops, int observer) {
+  auto& in = g.inputs[observer];
+  auto& whole = g.inputs[in.shows];
+  const auto counts = [&](const input& way) { return way.delay == 0 || !loops.closes(in.call, way.writer); };
+  bool some = false, all = true;
+  for (int w = in.shows; w >= 0; w = g.inputs[w].next_way) {
+    const bool one = counts(g.inputs[w]);
+    some |= one;
+    all &= one;
+  }
+  in.counts = some;
+  if (some == all) return;
+  constexpr int most_marks = 63;  // those after them count what some of them count
+  in.counts_vary = whole.counts_vary = true;
+  if (whole.mark_count < most_marks) ++whole.mark_count;
+  in.mark = whole.mark_count;
+  for (int w = in.shows; w >= 0; w = g.inputs[w].next_way)
+    if (auto& way = g.inputs[w]; counts(way)) way.counts_for |= std::uint64_t{1} << in.mark;
+}
+
 // The step.
 constexpr flat_view find_feedback(flat_view g) {
   if (!has_delays(g)) return g;
@@ -92,6 +114,8 @@ constexpr flat_view find_feedback(flat_view g) {
       whole.counts_vary |= in.counts != whole.counts;
     }
   }
+  for (int i = 0; i < g.input_count; ++i)
+    if (g.inputs[i].shows >= 0) find_feedback_of_observer(g, loops, i);
   return g;
 }
 
