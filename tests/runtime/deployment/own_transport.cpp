@@ -10,6 +10,7 @@
 #include <thread>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <cca/deployment.hpp>
 
@@ -127,6 +128,31 @@ TEST_SUITE("own transport") {
     CHECK_EQ(of_robot, transport_laws::story(one, transport_laws::tell_robot));
     CHECK_EQ(of_mind, transport_laws::story(other, transport_laws::tell_mind));
     CHECK(of_robot.find("faulted too much") != std::string::npos);
+  }
+
+  // A transport that sends these numbers asks whether anybody waits for them (cca/dds/sender.hpp).
+  TEST_CASE("the numbers of an environment say how the run is, not what its process had wished for") {
+    const at_one_table<two> joined;
+    std::thread mind([&] {
+      cca::deployed<two> d(cca::only{"mind"}, joined);
+      d.load();
+      d.start();
+      d.run(cca::without_end{});  // at the pace of the robot, whichever that is
+      d.run(cca::without_end{});
+    });
+    cca::deployed<two> d(cca::only{"robot"}, joined);
+    d.load();
+    d.start();
+    const auto& of_mind = joined.all->exchanged.environments[1];
+    std::vector<std::string> said;
+    const auto look = [&](auto&) {
+      said.push_back(std::string(of_mind.is_exact ? "as fast as possible" : "on a clock") +
+                     (of_mind.all_meet ? ", all meet" : ""));
+    };
+    d.run(cca::for_beats<1>{}, cca::at_speed(0.1), look);
+    d.run(cca::for_beats<1>{}, {}, look);
+    mind.join();
+    CHECK(said == std::vector<std::string>{"on a clock, all meet", "as fast as possible, all meet"});
   }
 
   TEST_CASE("what it refuses, the constructor refuses") {
