@@ -29,7 +29,7 @@ using eprosima::fastrtps::rtps::InstanceHandle_t;
 using eprosima::fastrtps::rtps::SerializedPayload_t;
 
 struct message : content {
-  int lie = 0;  // 0: none
+  int lie = 0;  // 0: none, or big_endian
 };
 
 class any_type : public TopicDataType {
@@ -48,12 +48,13 @@ public:
   bool serialize(void* from, SerializedPayload_t* to) override {
     const message& m = *static_cast<message*>(from);
     FastBuffer buffer(reinterpret_cast<char*>(to->data), to->max_size);
-    Cdr c(buffer, Cdr::DEFAULT_ENDIAN, Cdr::DDS_CDR);
-    to->encapsulation = CDR_LE;
+    const bool is_big = m.lie == big_endian;
+    Cdr c(buffer, is_big ? Cdr::BIG_ENDIANNESS : Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+    to->encapsulation = is_big ? CDR_BE : CDR_LE;
     c.serialize_encapsulation();
     write(c, m);
     to->length = static_cast<std::uint32_t>(c.getSerializedDataLength());
-    if (m.lie) spoil(*to, m.lie);
+    if (m.lie > 0) spoil(*to, m.lie);
     return true;
   }
   bool deserialize(SerializedPayload_t* from, void* to) override {

@@ -2,6 +2,7 @@
 //
 //   peer hear DOMAIN TYPE TOPIC   prints the first message, then ends; 1 if none comes within 20 s
 //   peer tell DOMAIN TYPE TOPIC   sends one message fifty times a second until it is killed, or for 30 s
+//   peer big  DOMAIN TYPE TOPIC   the same, as a machine that is big-endian writes it (Fast DDS only)
 //   peer lie  DOMAIN TYPE TOPIC   the same with broken bytes (Fast DDS only)
 //
 // A peer shares no code with cca.
@@ -68,6 +69,8 @@ inline content told(const std::string& type) {
   return {"", 0, {}, {{0}, {7, 8}}};  // an array whose layout is empty; its offset is the first number
 }
 
+inline constexpr int big_endian = -1;  // instead of the number of a lie
+
 // `Peer` is constructed of domain, type and topic, and has `hear(content&)` and `tell(content)`.
 template <class Peer>
 int run_peer(int count, char** arguments) {
@@ -89,7 +92,7 @@ int run_peer(int count, char** arguments) {
     return 1;
   }
   for (int i = 0; i < 1500; ++i) {
-    peer.tell(told(type), what == "lie" ? i : 0);
+    peer.tell(told(type), what == "lie" ? i : what == "big" ? big_endian : 0);
     std::this_thread::sleep_for(what == "lie" ? 2ms : 20ms);
   }
   return 0;

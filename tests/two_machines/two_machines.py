@@ -16,6 +16,8 @@ by themselves with exit code 0; what they print is printed here, too.
 Without the right to make namespaces it says so and ends with 77.
 """
 import argparse
+import contextlib
+import faulthandler
 import os
 import pathlib
 import queue
@@ -42,12 +44,15 @@ def call(*words):
 
 
 class Machine:
-    """A network of its own, with one end of the cable in it. It is gone when its process is."""
+    """A network of its own, with one end of the cable in it. It is gone when its process is, and that ends with this one,
+    however this one ends: it waits for the end of a pipe, and holds nothing else. A test ends when its output is closed."""
 
     def __init__(self, name):
-        self.holder = subprocess.Popen(["unshare", "--net", "sleep", "infinity"])
+        self.holder = subprocess.Popen(["unshare", "--net", "cat"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
         own = os.readlink("/proc/self/ns/net")
         while os.readlink(f"/proc/{self.holder.pid}/ns/net") == own:
+            if self.holder.poll() is not None:
+                sys.exit(f"no network for a machine: unshare ended with {self.holder.returncode}")
             time.sleep(0.01)
         self.inside = ["nsenter", "--net", "--target", str(self.holder.pid), "--"]
         end, other = f"end_{name}", f"cable_{name}"
@@ -57,12 +62,16 @@ class Machine:
         call(*self.inside, "ip", "link", "set", "lo", "up")
         call(*self.inside, "ip", "address", "add", MACHINES[name] + "/24", "dev", end)
         call(*self.inside, "ip", "link", "set", end, "up")
-        self.end, self.cable = end, other
+        self.port, self.cable = end, other
 
     def start(self, words):
         words = [MACHINES["a"] if w == "ROBOT" else MACHINES["b"] if w == "MIND" else w for w in words]
         return subprocess.Popen(self.inside + words, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, text=True)
+
+    def end(self):
+        self.holder.kill()
+        self.holder.wait()
 
 
 class Lines:
@@ -119,20 +128,41 @@ def cut_and_mend(o, cable, cable_lines, robot, lines, until):
     return [] if 0 <= passed <= o.within else [f"that is not within {o.within} s"]
 
 
+def where_it_stands(program):
+    """Of a program that does not end: what each of its threads waits for in the kernel."""
+    threads = []
+    for thread in pathlib.Path(f"/proc/{program.pid}/task").glob("*"):
+        with contextlib.suppress(OSError):  # it has just ended
+            state = (thread / "stat").read_text().rsplit(")", 1)[1].split()[0]
+            threads.append(f"{(thread / 'comm').read_text().strip()} {state} {(thread / 'wchan').read_text()}")
+    return ", ".join(threads)
+
+
 def run_inside(o, commands):
-    call("ip", "link", "set", "lo", "up")
-    machines = {name: Machine(name) for name in MACHINES}
-    for machine in machines.values():
-        call(*machine.inside, o.cable, "--checksums", machine.end)
-    words = [o.cable] + [machine.cable for machine in machines.values()]
-    for option in ("loss", "delay", "jitter", "twice"):
-        words += [f"--{option}", str(getattr(o, option))]
-    cable = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-    programs = [machine.start(command) for machine, command in zip(machines.values(), commands)]
-    cable_lines = Lines("cable", cable)
-    lines = [Lines(name, program) for name, program in zip(("robot", "mind"), programs)]
-    until, problems = time.monotonic() + o.seconds, []
-    try:
+    faulthandler.dump_traceback_later(o.seconds + 30, exit=True)
+    with contextlib.ExitStack() as at_end:
+        call("ip", "link", "set", "lo", "up")
+        machines = {}
+        for name in MACHINES:
+            machines[name] = Machine(name)
+            at_end.callback(machines[name].end)
+        for machine in machines.values():
+            call(*machine.inside, o.cable, "--checksums", machine.port)
+        words = [o.cable] + [machine.cable for machine in machines.values()]
+        for option in ("loss", "delay", "jitter", "twice"):
+            words += [f"--{option}", str(getattr(o, option))]
+        cable = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        cable_lines = Lines("cable", cable)
+        at_end.callback(cable_lines.thread.join)
+        at_end.callback(cable.wait)
+        at_end.callback(cable.stdin.close)
+        programs, lines = [], []
+        for name, machine, command in zip(("robot", "mind"), machines.values(), commands):
+            programs.append(machine.start(command))
+            lines.append(Lines(name, programs[-1]))
+            at_end.callback(lines[-1].thread.join)
+            at_end.callback(programs[-1].kill)
+        until, problems = time.monotonic() + o.seconds, []
         if o.cut:
             problems += cut_and_mend(o, cable, cable_lines, programs[0], lines[0], until)
         for name, program in zip(("robot", "mind"), programs):
@@ -140,17 +170,7 @@ def run_inside(o, commands):
                 if program.wait(timeout=max(0, until - time.monotonic())) != 0:
                     problems.append(f"the {name}'s program ended with {program.returncode}")
             except subprocess.TimeoutExpired:
-                problems.append(f"the {name}'s program did not end within {o.seconds} s")
-    finally:
-        for program in programs:
-            program.kill()
-        cable.stdin.close()
-        cable.wait()
-        for each in [*lines, cable_lines]:
-            each.thread.join()
-        for machine in machines.values():
-            machine.holder.kill()
-            machine.holder.wait()
+                problems.append(f"the {name}'s program did not end within {o.seconds} s: {where_it_stands(program)}")
     return problems
 
 

@@ -228,14 +228,14 @@ void all_are_heard_by(const char* program, bool prints_user_data) {
   CHECK_EQ(c.get<"states">().dropped(), 0);
 }
 
-void all_are_heard_from(const char* program) {
+void all_are_heard_from(const char* program, const std::string& what = "tell") {
   use_own_domain();
   cca::controller<listener> c;
   c.load();
   c.start();
   const auto& here = c.get<"here">();
   const auto expect = [&](const char* type, const char* topic, const auto& found, auto wanted) {
-    peer other(program, "tell", type, topic);
+    peer other(program, what, type, topic);
     CAPTURE(type);
     CHECK(within_seconds(30, [&] {
       c.step();
@@ -276,4 +276,7 @@ TEST_SUITE("ros 2 and other programs") {
   TEST_CASE("a program on Fast DDS hears what is published") { all_are_heard_by(fast_dds_peer, false); }
   TEST_CASE("what a program on generated code publishes is heard") { all_are_heard_from(idlc_peer); }
   TEST_CASE("what a program on Fast DDS publishes is heard") { all_are_heard_from(fast_dds_peer); }
+  TEST_CASE("what a program on a big-endian machine publishes is heard") {
+    all_are_heard_from(fast_dds_peer, "big");
+  }
 }

@@ -10,7 +10,7 @@
 // behind DDS obeys, so no command of joints reaches it without a limiter (robot.unlimited_command).
 //
 // They send each fresh sample; with `timed<10>` what is fresh in every tenth beat. With a sample goes its
-// age, never a time: clocks of two machines are not compared. Third argument: `default_qos` or `sensor_data`.
+// age, never a time: clocks of two machines are not compared. Third argument: `default_qos`, `sensor_data` or `transient_local`.
 // Parameter "domain", 0 to 230. `cca::idl<leg_angles>()` is the type for the other program.
 //
 // Errors: `cca::refused` from `load()`, if DDS can't be opened. `sent()`, `dropped()`: a sample is dropped if

@@ -1,15 +1,18 @@
 // Names of ROS 2 in DDS: the topic `joint_states` is `rt/joint_states`, and `sensor_msgs/msg/JointState` is
-// `sensor_msgs::msg::dds_::JointState_`. The domain is ROS_DOMAIN_ID, or 0 if that is not set.
+// `sensor_msgs::msg::dds_::JointState_`. The domain is ROS_DOMAIN_ID, or 0 if that is not set. There are no
+// namespaces of nodes here, so `/joint_states` is the same topic, and `~` and `{}` have no meaning.
 // Source: https://design.ros2.org/articles/topic_and_service_names.html.
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include <cca/base/fixed_string.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/dds/nodes/connection.hpp>
 #include <cca/dds/nodes/message_type.hpp>
@@ -36,7 +39,27 @@ inline std::uint32_t domain_of_ros() {
   return n;
 }
 
-inline address address_of(std::string_view topic, const message_type& of) {
+// Whether ROS 2 takes it for a topic: rmw/validate_full_topic_name.h.
+constexpr bool names_a_topic(std::string_view name) {
+  if (name.starts_with('/')) name.remove_prefix(1);
+  constexpr std::size_t longest = 246;  // with the first `/` 247: DDS has 255, and "rt" comes before it
+  bool begins_word = true;
+  for (const char c : name) {
+    const bool is_digit = c >= '0' && c <= '9';
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    if (c == '/' ? begins_word : !is_letter && (!is_digit || begins_word)) return false;
+    begins_word = c == '/';
+  }
+  return !begins_word && name.size() <= longest;
+}
+
+template <fixed_string Topic>
+address address_of(const message_type& of) {
+  static_assert(names_a_topic(Topic.view()),
+                "cca::ros2: this is no name of a topic in ROS 2: it has words of letters, digits and `_` that do not "
+                "begin with a digit, with one `/` between them, as \"arm/command\"");
+  std::string_view topic = Topic.view();
+  if (topic.starts_with('/')) topic.remove_prefix(1);
   return {domain_of_ros(), "rt/" + std::string(topic), type_name_in_dds(of.name)};
 }
 

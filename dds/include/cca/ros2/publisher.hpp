@@ -11,7 +11,8 @@
 //
 // They send a message each time they fire, once all inputs have a sample. The header's stamp is the wall
 // clock when it is sent, minus the age of the oldest input; it is true to about a millisecond, in a
-// wall-clock run. Third argument: `default_qos` or `sensor_data`. Domain: the variable ROS_DOMAIN_ID, else 0.
+// wall-clock run. Third argument: `default_qos`, `sensor_data` or `transient_local`. Domain: the variable
+// ROS_DOMAIN_ID, else 0.
 //
 // Errors: `cca::refused` from `load()`, if DDS can't be opened. `sent()`, `dropped()`: a message is dropped
 // if 64 wait already, or a reliable subscriber does not keep up. Any thread may ask for both, after `load()`.
@@ -38,7 +39,7 @@ public:
   void process(const in<Ports::name, typename Ports::space>&... inputs, beat now) {
     this->publish(now, inputs...);
   }
-  void on_load() { this->open(address_of(Topic.view(), Message::type)); }
+  void on_load() { this->open(address_of<Topic>(Message::type)); }
 };
 
 template <fixed_string Topic, class Message, class Quality, class Ports>
@@ -50,7 +51,7 @@ public:
   void act(const in<Ports::name, typename Ports::space>&... inputs, beat now) {
     if ((inputs.fresh() || ...)) this->publish(now, inputs...);
   }
-  void on_load() { this->open(address_of(Topic.view(), Message::type)); }
+  void on_load() { this->open(address_of<Topic>(Message::type)); }
 };
 
 }  // namespace detail

@@ -2,7 +2,7 @@
 // of the newest for the beat.
 //
 // A message waits at most 0.1 s of wall-clock time for a beat. So a controller that was stopped or faulted
-// does not go on with an old command.
+// does not go on with an old command. Of `transient_local` it waits as long as it takes.
 #pragma once
 
 #include <dds/dds.h>
@@ -36,7 +36,7 @@ public:
         on(net->in(), at.topic, at.type, Message::type),
         reader(dds_create_reader(net->in().reads(),
                                  on.get(),
-                                 qos_of(Quality::is_reliable, Quality::depth, Message::type.hash).get(),
+                                 qos_of(terms_of_reader<Message, Quality>, Message::type.hash).get(),
                                  nullptr),
                "subscriber of `" + at.topic + "`") {
     net->listen_to(reader.get());
@@ -60,6 +60,7 @@ public:
   }
   // At a start: what came before is too old.
   void forget() noexcept {
+    if constexpr (is_kept<Quality>) return;
     vector_type unused;
     std::int64_t age = 0;
     take(unused, age);
@@ -139,7 +140,7 @@ private:
     is_waiting = what == is_message;
   }
   void expire() {
-    if (!is_waiting) return;
+    if (is_kept<Quality> || !is_waiting) return;
     if (taken.load(std::memory_order_relaxed) >= count_put) {
       is_waiting = false;
     } else if (cca::detail::monotonic_clock::now() - put_at > longest_wait) {

@@ -25,7 +25,7 @@ public:
         on(net->in(), at.topic, at.type, Message::type),
         writer(dds_create_writer(net->in().writes(),
                                  on.get(),
-                                 qos_of(Quality::is_reliable, Quality::depth, Message::type.hash).get(),
+                                 qos_of(terms_of_writer<Message, Quality>, Message::type.hash).get(),
                                  nullptr),
                "publisher of `" + at.topic + "`") {
     net->add(*this);

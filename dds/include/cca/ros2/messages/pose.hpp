@@ -7,12 +7,14 @@
 //
 // All are of cca::pose<Frame>. frame_id is that Frame; "trunk" is child_frame_id, the frame of the thing
 // whose pose it is. On "tf" many tell of many frames: a subscriber takes its child, and messages without it
-// are neither used nor refused. Refused: another frame_id or child_frame_id, an orientation that is no unit
+// are neither used nor refused; so at least the last 100 are kept, as in tf2_ros. "tf_static" is told once:
+// its quality is `transient_local`. Refused: another frame_id or child_frame_id, an orientation that is no unit
 // quaternion (to 0.001; it is normalised if that is more than rounding).
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -139,6 +141,7 @@ struct tf : detail::of_pose<Space> {
   using ports = detail::port_list<detail::message_port<"transform", Space>>;
   using message = detail::tf_message;
   using one = transform_stamped<Space, Child>;
+  static constexpr std::int32_t least_depth = 100;
   static constexpr detail::message_type type{
       "tf2_msgs/msg/TFMessage", detail::tf_message_fields, sizeof(message), alignof(message),
       "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"};
