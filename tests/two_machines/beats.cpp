@@ -2,7 +2,7 @@
 // with delays of 1 to 5 beats on all wires between them, on a clock. It counts the late beats, and the longest
 // row of them: the least that `tolerate<N>` must be.
 //
-//   cca_beats_over_cable robot|mind OWN OTHER DELAY MS BEATS [--loses]
+//   cca_beats_over_cable robot|mind OWN OTHER DELAY MS BEATS [--loses] [--most-late %]
 //
 // The robot sends twelve angles, twelve velocities and an acceleration, the mind twelve commands and twelve
 // stiffnesses: five samples of 24 to 96 bytes in a beat, and both sides say how far they are.
@@ -68,6 +68,7 @@ struct options {
   cca::dds::network by;
   double ms = 1;
   std::int64_t beats = 1000;
+  double most_late = 100;  // %: with more it ends with 1
 };
 
 constexpr std::int64_t not_counted = 100;  // the first beats: what they need is touched for the first time
@@ -93,7 +94,7 @@ int run(const options& o) {
               static_cast<long long>(beats_late), static_cast<long long>(o.beats),
               static_cast<long long>(longest), static_cast<long long>(d.overruns()));
   d.stop();
-  return 0;
+  return 100.0 * static_cast<double>(beats_late) <= o.most_late * static_cast<double>(o.beats) ? 0 : 1;
 }
 
 template <int... N>
@@ -106,9 +107,12 @@ int run_delayed(const options& o, int delay, std::integer_sequence<int, N...>) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count < 7) return std::puts("cca_beats_over_cable robot|mind OWN OTHER DELAY MS BEATS [--loses]"), 2;
+  if (count < 7)
+    return std::puts("cca_beats_over_cable robot|mind OWN OTHER DELAY MS BEATS [--loses] [--most-late %]"), 2;
   options o{words[1], cca::dds::network::between(words[2], {words[3]}), std::stod(words[5]),
             std::stoll(words[6])};
-  if (count > 7 && std::string_view(words[7]) == "--loses") o.by = o.by.that_loses();
+  for (int i = 7; i < count; ++i)
+    if (const std::string_view word = words[i]; word == "--loses") o.by = o.by.that_loses();
+    else if (word == "--most-late" && i + 1 < count) o.most_late = std::stod(words[++i]);
   return run_delayed(o, std::stoi(words[4]), std::make_integer_sequence<int, 5>());
 }
