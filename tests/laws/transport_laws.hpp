@@ -294,8 +294,8 @@ void stops_with_the_others() {
   CHECK_EQ(robot.said(), "");
 }
 
-// What this process has written into memory of its own. Not code: pages of it count as resident from their first
-// use on, and when that is depends on what else the machine does.
+// What this process has written into memory of its own. Not code: pages of it count as resident from their
+// first use on, and when that is depends on what else the machine does.
 inline long own_kilobytes() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -304,8 +304,8 @@ inline long own_kilobytes() {
 }
 
 // A reader that stops costs the writer neither beats nor memory: while it stands still, the writer goes on
-// through 1000 beats. In the first 300 its buffers become full. After that a message that is kept in each beat
-// would be seen: of one topic that is at least 140 kB. A sanitizer's own memory grows, too.
+// through 1000 beats. In the first 300 its buffers become full. After that a message that is kept in each
+// beat would be seen: of one topic that is at least 140 kB. A sanitizer's own memory grows, too.
 inline constexpr std::int64_t beats_to_fill = 300, beats_alone = 1000;
 inline constexpr long most_growth = CCA_SANITIZED ? 8192 : 64;
 
@@ -339,8 +339,9 @@ void is_not_held_up_by_a_stopped_reader() {
       return false;
     });
     std::ostringstream text;
-    text << cca::to_string(d.state()) << ' ' << (late > (beats_alone - beats_to_fill) / 2 ? "alone" : "never alone")
-         << ' ' << (after - before < most_growth ? "small" : "grew by " + std::to_string(after - before) + " kB");
+    text << cca::to_string(d.state()) << ' '
+         << (late > (beats_alone - beats_to_fill) / 2 ? "alone" : "never alone") << ' '
+         << (after - before < most_growth ? "small" : "grew by " + std::to_string(after - before) + " kB");
     return text.str();
   });
   both_run.wait_for(1);

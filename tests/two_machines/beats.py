@@ -4,8 +4,8 @@ table of docs/two_machines.md.
 
     beats.py CABLE PROGRAM [--way MS] [--jitter MS] [--beats N] [--delays N...] [--ms MS...] [--losses %...]
 
-It takes about ten minutes. Where the machine does other things as well, run it by `chrt --fifo 10`: at wall-clock speed
-all of it needs a small part of a core.
+It takes about ten minutes. Where the machine does other things as well, run it by `chrt --fifo 10`: these wall-clock runs
+need a small part of a core.
 """
 import argparse
 import pathlib

@@ -26,6 +26,25 @@ namespace laws {
 std::size_t allocations_of_this_thread();
 }
 
+namespace talk {
+
+namespace left {
+struct leg {};
+}  // namespace left
+namespace right {
+struct leg {};
+}  // namespace right
+template <class Leg, int Direction>
+struct turned : cca::space<cca::number, cca::axes<cca::x>> {};
+template <cca::fixed_string Name>
+struct named : cca::space<cca::number, cca::axes<cca::x>> {};
+template <class Leg>
+struct of_leg {
+  struct angles : cca::space<cca::number, cca::axes<cca::x>> {};
+};
+
+}  // namespace talk
+
 namespace {
 
 struct swing {
@@ -146,6 +165,16 @@ TEST_SUITE("idl") {
     CHECK(text.find("    double hip_;  // rad, -1 to 1\n    double knee_;  // rad, -2 to 0\n") != text.npos);
     CHECK(text.find("const long long talk_leg_angles_space = " +
                     std::to_string(cca::schema_of<leg_angles>.hash() >> 1)) != text.npos);
+  }
+  // Samples of two spaces must not meet on one topic: a command of the left leg is none of the right one.
+  TEST_CASE("spaces of templates have the names of their arguments, with namespaces and signs") {
+    using namespace cca::dds::detail;
+    CHECK_EQ(topic_of_space<turned<left::leg, 1>>(), "talk/turned_talk_left_leg_1");
+    CHECK_EQ(topic_of_space<turned<right::leg, 1>>(), "talk/turned_talk_right_leg_1");
+    CHECK_EQ(topic_of_space<turned<right::leg, -1>>(), "talk/turned_talk_right_leg_minus_1");
+    CHECK_EQ(topic_of_space<named<"left">>(), "talk/named_left");
+    CHECK_EQ(topic_of_space<of_leg<left::leg>::angles>(), "talk/of_leg_talk_left_leg/angles");
+    CHECK_EQ(type_in_dds<of_leg<left::leg>::angles>(), "cca::talk_of_leg_talk_left_leg_angles_sample");
   }
   TEST_CASE("words of IDL, digits, names that differ only in case, and many numbers") {
     CHECK(cca::idl<any>().find("    double in_;\n    double octet_;\n    double c3rd_;\n") !=

@@ -137,7 +137,7 @@ TEST_SUITE("own transport") {
       cca::deployed<two> d(cca::only{"mind"}, joined);
       d.load();
       d.start();
-      d.run(cca::without_end{});  // at the pace of the robot, whichever that is
+      d.run(cca::without_end{});  // at the pace of the robot
       d.run(cca::without_end{});
     });
     cca::deployed<two> d(cca::only{"robot"}, joined);
@@ -146,13 +146,13 @@ TEST_SUITE("own transport") {
     const auto& of_mind = joined.all->exchanged.environments[1];
     std::vector<std::string> said;
     const auto look = [&](auto&) {
-      said.push_back(std::string(of_mind.is_exact ? "as fast as possible" : "on a clock") +
+      said.push_back(std::string(of_mind.is_exact ? "a fast run" : "a wall-clock run") +
                      (of_mind.all_meet ? ", all meet" : ""));
     };
     d.run(cca::for_beats<1>{}, cca::at_speed(0.1), look);
     d.run(cca::for_beats<1>{}, {}, look);
     mind.join();
-    CHECK(said == std::vector<std::string>{"on a clock, all meet", "as fast as possible, all meet"});
+    CHECK(said == std::vector<std::string>{"a wall-clock run, all meet", "a fast run, all meet"});
   }
 
   TEST_CASE("what it refuses, the constructor refuses") {

@@ -65,8 +65,8 @@ public:
   explicit liar(const message_type& type = joints::type)
       : in(static_cast<std::uint32_t>(std::stoul(domain())), ""),
         on(in, "rt/cca/lies", type_name_in_dds(type.name), type),
-        writer(dds_create_writer(in.writes(), on.get(), qos_of({true, false, 10}, type.hash).get(), nullptr), "liar") {
-  }
+        writer(dds_create_writer(in.writes(), on.get(), qos_of({true, false, 10}, type.hash).get(), nullptr),
+               "liar") {}
 
   void tell(const void* message) const { dds_write(writer.get(), message); }
 

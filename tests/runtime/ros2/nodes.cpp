@@ -93,7 +93,8 @@ struct hears_late
 using cca::ros2::detail::names_a_topic;
 static_assert(names_a_topic("joint_states") && names_a_topic("/joint_states") && names_a_topic("a/_b2/c"));
 static_assert(!names_a_topic("") && !names_a_topic("/") && !names_a_topic("a/") && !names_a_topic("a//b"));
-static_assert(!names_a_topic("2a") && !names_a_topic("a/2b") && !names_a_topic("a.b") && !names_a_topic("~/a"));
+static_assert(!names_a_topic("2a") && !names_a_topic("a/2b") && !names_a_topic("a.b") &&
+              !names_a_topic("~/a"));
 
 static_assert(cca::diagnosis<unlimited>.rule == "robot.unlimited_command");
 static_assert(cca::well_formed<watched>);
@@ -147,7 +148,8 @@ TEST_SUITE("ros 2 nodes") {
     CHECK_GT(c.get<"leg">().dropped(), 0);
   }
 
-  // Whoever publishes on "tf" uses the same instance of the topic, so a burst of others must not displace ours.
+  // Whoever publishes on "tf" uses the same instance of the topic, so a burst of others must not displace
+  // ours.
   TEST_CASE("on a topic of many a message is not displaced by those of others") {
     use_own_domain();
     cca::controller<crowded> c;

@@ -42,21 +42,46 @@ inline std::string identifier(std::string_view text) {
   return word;
 }
 
-// A space's name with its namespaces, with `between` between them. A namespace without a name is left out.
-inline std::string joined_name(std::string_view spelled, std::string_view last, const char* between) {
+// Up to the next `::` that is outside of brackets.
+inline std::size_t end_of_name(std::string_view text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<' || text[i] == '(') ++depth;
+    if (text[i] == '>' || text[i] == ')') --depth;
+    if (depth == 0 && text.substr(i).starts_with("::")) return i;
+  }
+  return text.size();
+}
+// As every compiler spells it: without namespaces that have no name, and a text as argument is its letters.
+// `of<left::leg, -1>` still differs from `of<right::leg, 1>`, because their samples must not meet.
+inline std::string plain_spelling(std::string_view spelled) {
+  std::string all(spelled);
+  const auto replace = [&](std::string_view what, std::string_view by) {
+    for (std::size_t at; (at = all.find(what)) != all.npos;) all.replace(at, what.size(), by);
+  };
+  replace("(anonymous namespace)::", "");  // clang
+  replace("{anonymous}::", "");            // g++
+  replace("-", " minus ");
+  constexpr std::string_view text = "cca::fixed_string<";
+  for (std::size_t at; (at = all.find(text)) != all.npos;)
+    all.erase(at, all.find('>', at) + 1 - at);
+  return all;
+}
+// A space's name with its namespaces, with `between` between them.
+inline std::string joined_name(std::string_view spelled, const char* between) {
+  const std::string plain = plain_spelling(spelled);
+  const std::string_view last = cca::detail::without_namespaces(plain);
   std::string all;
-  std::string_view rest = spelled.substr(0, spelled.size() - cca::detail::without_namespaces(spelled).size());
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find("::"), rest.size());
-    const std::string_view part = rest.substr(0, end);
-    if (part.find("anonymous") == part.npos && !identifier(part).empty()) all += identifier(part) + between;
+  for (std::string_view rest = std::string_view(plain).substr(0, plain.size() - last.size()); !rest.empty();) {
+    const std::size_t end = end_of_name(rest);
+    all += identifier(rest.substr(0, end)) + between;
     rest.remove_prefix(std::min(end + 2, rest.size()));
   }
   return all + identifier(last);
 }
 template <class Space>
 std::string name_in_idl() {
-  return joined_name(cca::detail::spelled<Space>(), cca::detail::type_name<Space>(), "_");
+  return joined_name(cca::detail::spelled<Space>(), "_");
 }
 template <class Space>
 std::string type_in_dds() {
@@ -65,7 +90,7 @@ std::string type_in_dds() {
 // The topic of a space's samples, unless another one is named.
 template <class Space>
 std::string topic_of_space() {
-  return joined_name(cca::detail::spelled<Space>(), cca::detail::type_name<Space>(), "/");
+  return joined_name(cca::detail::spelled<Space>(), "/");
 }
 
 inline std::string field_in_idl(std::string_view name) {

@@ -9,8 +9,8 @@
 //
 // `that_loses()`: a network that loses a message in a hundred or more, as wireless ones do. With Cyclone's
 // defaults a lost message comes about 24 ms late, with this about a millisecond and a way there and back. It
-// costs more heartbeats and answers: one of each a millisecond for a message that nobody has confirmed yet. It
-// is added to what CYCLONEDDS_URI says.
+// costs more heartbeats and answers: one of each a millisecond for a message that nobody has confirmed yet.
+// It is added to what CYCLONEDDS_URI says.
 //
 // A process configures a domain once. Errors: cca::refused, if it has configured it otherwise before, and if
 // an address is no address. Page: docs/two_machines.md, with the figures.

@@ -10,8 +10,9 @@
 // behind DDS obeys, so no command of joints reaches it without a limiter (robot.unlimited_command).
 //
 // They send each fresh sample; with `timed<10>` what is fresh in every tenth beat. With a sample goes its
-// age, never a time: clocks of two machines are not compared. Third argument: `default_qos`, `sensor_data` or `transient_local`.
-// Parameter "domain", 0 to 230. `cca::idl<leg_angles>()` is the type for the other program.
+// age, never a time: clocks of two machines are not compared. Third argument: `default_qos`, `sensor_data` or
+// `transient_local`. Parameter "domain", 0 to 230. `cca::idl<leg_angles>()` is the type for the other
+// program.
 //
 // Errors: `cca::refused` from `load()`, if DDS can't be opened. `sent()`, `dropped()`: a sample is dropped if
 // 64 wait already (of more than 4096 numbers: 8), or a reliable reader does not keep up. Any thread may ask

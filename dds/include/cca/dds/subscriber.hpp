@@ -12,10 +12,10 @@
 // `too_late()`. Any thread may ask for all of these, after `load()`. Put a limiter before an actuator: that a
 // command came from outside does not make it safe.
 //
-// Third argument: `default_qos`, `sensor_data` or `transient_local`. Parameter "domain", 0 to 230. `cca::idl<ball_in_trunk>()`
-// is the type for the other program. Errors: `cca::refused` from `load()`, if DDS can't be opened. A copy of
-// a controller receives nothing. Cost of a beat: numbers are read from a ring; a thread receives and checks.
-// Example: tests/runtime/dds_nodes/nodes.cpp. Page: docs/dds.md.
+// Third argument: `default_qos`, `sensor_data` or `transient_local`. Parameter "domain", 0 to 230.
+// `cca::idl<ball_in_trunk>()` is the type for the other program. Errors: `cca::refused` from `load()`, if DDS
+// can't be opened. A copy of a controller receives nothing. Cost of a beat: numbers are read from a ring; a
+// thread receives and checks. Example: tests/runtime/dds_nodes/nodes.cpp. Page: docs/dds.md.
 #pragma once
 
 #include <cstdint>

@@ -55,9 +55,10 @@ constexpr bool names_a_topic(std::string_view name) {
 
 template <fixed_string Topic>
 address address_of(const message_type& of) {
-  static_assert(names_a_topic(Topic.view()),
-                "cca::ros2: this is no name of a topic in ROS 2: it has words of letters, digits and `_` that do not "
-                "begin with a digit, with one `/` between them, as \"arm/command\"");
+  static_assert(
+      names_a_topic(Topic.view()),
+      "cca::ros2: this is no name of a topic in ROS 2: it has words of letters, digits and `_` that do not "
+      "begin with a digit, with one `/` between them, as \"arm/command\"");
   std::string_view topic = Topic.view();
   if (topic.starts_with('/')) topic.remove_prefix(1);
   return {domain_of_ros(), "rt/" + std::string(topic), type_name_in_dds(of.name)};

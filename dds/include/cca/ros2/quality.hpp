@@ -1,4 +1,5 @@
-// Quality of service, with the names and values of ROS 2's profiles: `default_qos`, `sensor_data`, `transient_local`.
+// Quality of service, with the names and values of ROS 2's profiles: `default_qos`, `sensor_data`,
+// `transient_local`.
 #pragma once
 
 #include <cca/dds/nodes/quality.hpp>

@@ -13,10 +13,10 @@
 // `why_refused()` the last reason, `received()`. A message that no beat takes for 0.1 s is dropped,
 // `too_late()`. Any thread may ask for all of these, after `load()`.
 //
-// Third argument: `default_qos`, `sensor_data` or `transient_local`. Domain: the variable ROS_DOMAIN_ID, else 0. Errors:
-// `cca::refused` from `load()`, if DDS can't be opened. A copy of a controller receives nothing. Cost of a
-// beat: numbers are read from a ring; a thread receives and checks. Example: examples/ros2/leg.cpp. Page:
-// docs/ros2.md.
+// Third argument: `default_qos`, `sensor_data` or `transient_local`. Domain: the variable ROS_DOMAIN_ID, else
+// 0. Errors: `cca::refused` from `load()`, if DDS can't be opened. A copy of a controller receives nothing.
+// Cost of a beat: numbers are read from a ring; a thread receives and checks. Example: examples/ros2/leg.cpp.
+// Page: docs/ros2.md.
 #pragma once
 
 #include <cstdint>

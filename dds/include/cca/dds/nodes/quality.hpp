@@ -6,8 +6,8 @@
 //   sensor_data   best effort, volatile, the last 5   rmw_qos_profile_sensor_data: nothing is sent again
 //   transient_local   reliable, kept for those that come later   what never ages: "tf_static", a map
 //
-// Of `transient_local` a publisher keeps its last message. A subscriber hears it whenever it comes, and it does
-// not age while no beat takes it; from a publisher that keeps nothing it hears nothing.
+// Of `transient_local` a publisher keeps its last message. A subscriber hears it whenever it comes, and it
+// does not age while no beat takes it; from a publisher that keeps nothing it hears nothing.
 //
 // A message may be one of many on its topic, as on "tf": it states how many are kept at least, `least_depth`.
 //

@@ -8,8 +8,8 @@
 // All are of cca::pose<Frame>. frame_id is that Frame; "trunk" is child_frame_id, the frame of the thing
 // whose pose it is. On "tf" many tell of many frames: a subscriber takes its child, and messages without it
 // are neither used nor refused; so at least the last 100 are kept, as in tf2_ros. "tf_static" is told once:
-// its quality is `transient_local`. Refused: another frame_id or child_frame_id, an orientation that is no unit
-// quaternion (to 0.001; it is normalised if that is more than rounding).
+// its quality is `transient_local`. Refused: another frame_id or child_frame_id, an orientation that is no
+// unit quaternion (to 0.001; it is normalised if that is more than rounding).
 #pragma once
 
 #include <array>
