@@ -1,6 +1,6 @@
 // How short a beat may be between two machines: a joint controller on the one, what thinks for it on the
-// other, with delays of 1 to 5 beats on all wires between them, on a clock. It counts the late beats, and the
-// longest row of them: the least that `tolerate<N>` must be.
+// other, with delays of 1 to 5 beats on all wires between them, in a wall-clock run. It counts the late
+// beats, and the longest row of them: the least that `tolerate<N>` must be.
 //
 //   cca_beats_over_cable robot|mind OWN OTHER DELAY MS BEATS [--loses] [--most-late %]
 //

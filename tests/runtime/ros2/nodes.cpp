@@ -55,7 +55,7 @@ struct two_places {
     numbers_of<places> at;
     at << 1, 2, 3, 0, 0, 0, 1;
     if (trunk) return {at, at};
-    return {{}, at};
+    return {cca::maybe<"trunk", place>(), at};
   }
 };
 struct crowded

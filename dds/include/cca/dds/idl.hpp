@@ -59,12 +59,10 @@ inline std::string plain_spelling(std::string_view spelled) {
   const auto replace = [&](std::string_view what, std::string_view by) {
     for (std::size_t at; (at = all.find(what)) != all.npos;) all.replace(at, what.size(), by);
   };
-  replace("(anonymous namespace)::", "");  // clang
-  replace("{anonymous}::", "");            // g++
+  for (const std::string_view nameless : {"(anonymous namespace)::", "{anonymous}::"}) replace(nameless, "");
   replace("-", " minus ");
   constexpr std::string_view text = "cca::fixed_string<";
-  for (std::size_t at; (at = all.find(text)) != all.npos;)
-    all.erase(at, all.find('>', at) + 1 - at);
+  for (std::size_t at; (at = all.find(text)) != all.npos;) all.erase(at, all.find('>', at) + 1 - at);
   return all;
 }
 // A space's name with its namespaces, with `between` between them.
@@ -72,7 +70,8 @@ inline std::string joined_name(std::string_view spelled, const char* between) {
   const std::string plain = plain_spelling(spelled);
   const std::string_view last = cca::detail::without_namespaces(plain);
   std::string all;
-  for (std::string_view rest = std::string_view(plain).substr(0, plain.size() - last.size()); !rest.empty();) {
+  for (std::string_view rest = std::string_view(plain).substr(0, plain.size() - last.size());
+       !rest.empty();) {
     const std::size_t end = end_of_name(rest);
     all += identifier(rest.substr(0, end)) + between;
     rest.remove_prefix(std::min(end + 2, rest.size()));

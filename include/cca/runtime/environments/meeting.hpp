@@ -76,11 +76,11 @@ public:
     for (const auto& e : shared.environments)
       if (e.length < no_position - agreed.beat)
         agreed.end = std::min<std::int64_t>(agreed.end, agreed.beat + e.length);
-    for_each_here(
-        [&](auto& own) {  // what it is, for a transport: a follower may have wished for another pace
-          own.is_exact = agreed.is_exact;
-          own.all_meet = agreed.all_meet;
-        });
+    // What the run is, for a transport: a follower may have wished for another one.
+    for_each_here([&](auto& own) {
+      own.is_exact = agreed.is_exact;
+      own.all_meet = agreed.all_meet;
+    });
     return agreed;
   }
 
