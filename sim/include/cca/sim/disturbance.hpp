@@ -13,6 +13,7 @@
 #include <random>
 
 #include <cca/sim/oncilla_model.hpp>
+#include <cca/sim/push.hpp>
 
 namespace cca::sim {
 
@@ -25,13 +26,6 @@ public:
 
 private:
   std::mt19937_64 bits_;
-};
-
-struct push {
-  double start = 0, duration = 0;  // s
-  std::array<double, 3> force{};   // N, in the world's axes, on the trunk's centre
-
-  bool acts_at(double time) const { return time >= start && time < start + duration; }
 };
 
 struct disturbance {
@@ -62,16 +56,8 @@ struct disturbance {
     return d;
   }
 
-  std::array<double, 3> push_at(double time) const {
-    std::array<double, 3> sum{};
-    const auto add = [&](const push& p) {
-      if (p.acts_at(time))
-        for (std::size_t k = 0; k < 3; ++k) sum[k] += p.force[k];
-    };
-    for (const push& p : pushes) add(p);
-    add(another);
-    return sum;
-  }
+  push_plan plan() const { return {{pushes[0], pushes[1], pushes[2], another}}; }
+  std::array<double, 3> push_at(double time) const { return plan().force_at(time); }
 };
 
 }  // namespace cca::sim

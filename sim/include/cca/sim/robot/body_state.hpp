@@ -43,6 +43,12 @@ inline void restore_body(dBodyID body, const body_state& s) {
   dBodySetTorque(body, 0, 0, 0);
 }
 
+inline double mass_of(dBodyID body) {
+  dMass m;
+  dBodyGetMass(body, &m);
+  return m.mass;
+}
+
 inline double kinetic_energy(dBodyID body) {
   dMass m;
   dBodyGetMass(body, &m);
@@ -54,9 +60,7 @@ inline double kinetic_energy(dBodyID body) {
 }
 
 inline double potential_energy(dBodyID body, double gravity) {
-  dMass m;
-  dBodyGetMass(body, &m);
-  return m.mass * gravity * dBodyGetPosition(body)[2];
+  return mass_of(body) * gravity * dBodyGetPosition(body)[2];
 }
 
 }  // namespace cca::sim

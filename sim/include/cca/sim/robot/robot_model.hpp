@@ -21,12 +21,13 @@
 
 namespace cca::sim {
 
-// A shape in the frame of a link (-1: the base), and the force sensor that feels it (-1: none).
+// A shape in the frame of a link (-1: the base), the force sensor that feels it (-1: none), and the part at
+// whose end it is (-1: none).
 struct placed_shape {
   int link = -1;
   robots::shape form{};
   placement where{};
-  int sensor = -1;
+  int sensor = -1, end = -1;
 };
 
 // A place on a link.
@@ -177,7 +178,7 @@ inline placed_shape placed(const robots::shape_on& s,
   for (std::size_t i = 0; i < sensed_parts.size(); ++i)
     if (sensed_parts[i] == part) sensor = static_cast<int>(i);
   const place_on_link& end = ends[static_cast<std::size_t>(part)];
-  return {end.link, s.form, end.where * s.where, sensor};
+  return {end.link, s.form, end.where * s.where, sensor, part};
 }
 
 template <class Body>

@@ -12,6 +12,7 @@
 #include <cca/robots/inertial.hpp>
 #include <cca/sim/robot/body_state.hpp>
 #include <cca/sim/robot/cable_winch.hpp>
+#include <cca/sim/robot/contact_account.hpp>
 #include <cca/sim/robot/joint_law.hpp>
 #include <cca/sim/robot/plausible.hpp>
 
@@ -32,6 +33,11 @@ struct robot_state {
   std::vector<cable_winch> winches;          // over the coordinates
   std::vector<inertial_reading> inertial;    // of the inertial units; forces are means over the beat
   std::vector<outer_load> pulls;             // at the ends of the parts
+  std::array<double, 3> push{};              // N on the base, in the world, until it is set again
+  std::vector<contact_account> contacts;     // of the robot's shapes
+  double positive_work = 0;                  // J, mechanical work of the motors, without braking
+  double absolute_work = 0;                  // J, the same, with braking counted as work
+  double parallel_error = 0;                 // rad, the largest so far of links that are held parallel
   std::vector<double> pressing;              // N, of each pair of shapes
   std::vector<std::array<double, 7>> boxes;  // translation, then rotation
   std::int64_t beats = 0;
@@ -45,7 +51,8 @@ struct robot_state {
       for (std::size_t i = 0; i < all.size() * sizeof(all[0]); ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
     };
     add(bodies), add(laws), add(joints), add(loads), add(winches), add(inertial), add(pulls), add(pressing),
-        add(boxes);
+        add(boxes), add(push), add(contacts);
+    add(std::array{positive_work, absolute_work, parallel_error});
     add(std::array<std::int64_t, 1>{beats});
     return h;
   }

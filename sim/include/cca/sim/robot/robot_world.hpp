@@ -7,10 +7,11 @@
 //   w.joint("a4"), w.end("arm")           by name, or by number
 //   w.load("flange_load")                 of a force sensor, in its frame
 //   w.inertial("gyro").orientation        of the inertial unit of a sensor
+//   w.contact_at_end("arm").slip          what its contacts have done (contact_account.hpp)
 //
 // A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical.
-// `save` and `restore` do the same with a plain value, for worlds of the same model and scene. `pull` and
-// `move` change what happens to the robot: a force at the end of a part, a box that moves without notice.
+// `save` and `restore` do the same with a plain value, for worlds of the same model and scene. `pull`,
+// `push` and `move`: a force at the end of a part, one on the base, a box that moves without notice.
 //
 // A motor brakes with its full torque and drives with what its line leaves. Springs, friction and motors are
 // stable at every stiffness, damping and step (drives_in_engine.hpp); coupled joints follow at its end
@@ -134,6 +135,12 @@ public:
     pull(index_of(model_->names.ends, part, "part"), force, torque);
   }
 
+  // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
+  void push(const Eigen::Vector3d& force) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const double f = force[static_cast<Eigen::Index>(k)]; std::isfinite(f)) state_.push[k] = f;
+  }
+
   // Puts a box of the scene elsewhere.
   void move(std::size_t box, const placement& where) { shapes_.put_box(box, where); }
 
@@ -168,6 +175,33 @@ public:
   Eigen::Vector3d ball_velocity(std::size_t i) const {
     return Eigen::Vector3d::Map(dBodyGetLinearVel(shapes_.balls().at(i)));
   }
+  double mass() const {
+    double sum = 0;
+    each_link([&](dBodyID b) { sum += mass_of(b); });
+    return sum;
+  }
+  Eigen::Vector3d centre_of_mass() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    each_link([&](dBodyID b) { sum += mass_of(b) * Eigen::Vector3d::Map(dBodyGetPosition(b)); });
+    return sum / mass();
+  }
+
+  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the motors.
+  const contact_account& contact(std::size_t shape) const { return state_.contacts.at(shape); }
+  contact_account contact_at_end(std::size_t part) const {
+    return contact_of(*model_, state_.contacts,
+                      [&](const placed_shape& s) { return s.end == static_cast<int>(part); });
+  }
+  contact_account contact_at_end(std::string_view part) const {
+    return contact_at_end(index_of(model_->names.ends, part, "part"));
+  }
+  contact_account contact_of_base() const {
+    return contact_of(*model_, state_.contacts, [](const placed_shape& s) { return s.link < 0; });
+  }
+  double positive_work() const { return state_.positive_work; }  // braking is none
+  double absolute_work() const { return state_.absolute_work; }  // braking is work
+  double parallel_error() const { return state_.parallel_error; }
+
   // Of the robot alone, J: kinetic, and potential from the height of the world's origin.
   double energy() const {
     double sum = 0;
@@ -228,6 +262,7 @@ private:
     state_.winches.assign(model_->drives.size(), {});
     state_.inertial.assign(units_.count(), {});
     state_.pulls.assign(model_->ends.size(), {});
+    state_.contacts.assign(model_->shapes.size(), {});
     const std::vector<double> rest(model_->drives.size(), 0.0);
     place(model_->start, rest);
   }
@@ -254,7 +289,7 @@ private:
 
   void step() {
     const double share = 1.0 / settings_.steps_per_beat;
-    tree_.hold_parallel();
+    state_.parallel_error = std::max(state_.parallel_error, tree_.hold_parallel());
     if (coupled_.exist()) coupled_.begin(tree_);
     drives_.act(tree_, coupled_, state_, share);
     if (!coupled_.exist())
@@ -262,12 +297,17 @@ private:
     springs_in_engine::act(engine_, *model_, tree_, drives_, coupled_, step_);
     each_link([&](dBodyID b) { turn_freely(b, step_); });
     pull_at_ends(*model_, tree_, state_.pulls);
+    push_base(tree_, state_.push);
     touching_.find(engine_, state_.pressing);
     if (!engine_.step(step_)) state_.trouble = {implausible::engine};
     // With coupled joints the engine's step is half of one: only its numbers must be right.
     if (!state_.trouble) look(coupled_.exist() ? plausible_bounds::none() : settings_.plausible);
     if (state_.trouble) return;
-    touching_.account(state_.pressing, [&](const touch& t) { feel(*model_, tree_, t, share, state_.loads); });
+    for (contact_account& c : state_.contacts) c.begin_step();
+    touching_.account(state_.pressing, [&](const touch& t) {
+      feel(*model_, tree_, t, share, state_.loads);
+      state_.contacts[t.shape].add(t, step_);
+    });
     dJointGroupEmpty(engine_.contacts());
     if (coupled_.exist()) {
       if (!coupled_.end(tree_, state_.joints, step_)) state_.trouble = {implausible::engine};

@@ -11,8 +11,8 @@
 //   After a fault, and while the controller is stopped, the motors only damp; each `step()` is still a beat
 //   of physics.
 //
-// `put_down` sets the world; without it the robot stands alone where R::start has it. `world()` is for what
-// happens to the robot: pulls, boxes that move. A copy of the node is a snapshot of the world. Cost: a beat
+// `put_down` sets the world; without it the robot stands alone where R::start has it. `disturb` pushes the
+// base at given times; `world()` is for all else that happens to the robot: pulls, boxes that move. A copy of the node is a snapshot of the world. Cost: a beat
 // of physics (docs/robots.md); the rest is copying numbers.
 #pragma once
 
@@ -27,6 +27,7 @@
 #include <cca/component/port.hpp>
 #include <cca/robots/commanded_joint.hpp>
 #include <cca/robots/joint_servo.hpp>
+#include <cca/sim/push.hpp>
 #include <cca/sim/robot/robot_world.hpp>
 
 namespace cca::sim {
@@ -45,10 +46,14 @@ class simulated_robot_of<R, axes<Axes...>, robots::sensors<Sensors...>> {
   static constexpr std::array<bool, count> turns_without_end{is_continuous<Axes>...};
 
 public:
-  void put_down(robot_world&& world) {
+  void put_down(robot_world&& world, const push_plan& pushes = {}) {
     world_ = std::move(world);
     servos_ = {};
+    disturb(pushes);
   }
+
+  // While it runs, too.
+  void disturb(const push_plan& pushes) { pushes_ = pushes; }
 
   robot_world& world() { return world_; }
   const robot_world& world() const { return world_; }
@@ -70,6 +75,7 @@ public:
           world_.joints()[c].angle, world_.model().beat);
     }
     is_driven_ = true;
+    push();
     world_.advance(laws);
     return why();
   }
@@ -83,10 +89,18 @@ public:
     if (is_driven_) return;
     std::array<joint_law, coordinates> laws;
     for (std::size_t c = 0; c < coordinates; ++c) laws[c] = {.damping = world_.model().drives[c].damping};
+    push();
     world_.advance(laws);
   }
 
 private:
+  // Only where the plan changes, so `world().push` is for everybody.
+  void push() {
+    const auto now = pushes_.force_at(world_.time());
+    if (now != pushing_) world_.push({now[0], now[1], now[2]});
+    pushing_ = now;
+  }
+
   // A fault keeps a pointer to its text, so the texts of this robot live as long as the program.
   static const std::vector<std::string>& reasons() {
     static const std::vector<std::string> all = [] {
@@ -134,6 +148,8 @@ private:
   robot_world world_{model_of<R>()};
   const std::vector<std::string>* reasons_ = &reasons();
   std::array<robots::joint_servo, count> servos_{};
+  push_plan pushes_{};
+  std::array<double, 3> pushing_{};
   bool is_driven_ = false;
 };
 

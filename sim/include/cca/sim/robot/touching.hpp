@@ -16,6 +16,7 @@
 #include <ode/ode.h>
 
 #include <cca/base/eigen.hpp>
+#include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/sim/engine.hpp>
 #include <cca/sim/robot/ground_strips.hpp>
 #include <cca/sim/robot/scene.hpp>
@@ -26,6 +27,8 @@ namespace cca::sim {
 struct touch {
   std::size_t shape = 0;  // of the robot
   Eigen::Vector3d at, force;
+  Eigen::Vector3d normal;  // of the surface, into the shape
+  Eigen::Vector3d slip;    // the speed of the shape along the surface, m/s
 };
 
 class touching {
@@ -79,7 +82,7 @@ public:
       const Eigen::Vector3d force = Eigen::Vector3d::Map(c.feedback.f1);
       load_of[c.pair] += std::max(0.0, force.dot(c.normal));
       if (const int shape = pairs_[c.pair].shape; shape >= 0)
-        on_touch(touch{static_cast<std::size_t>(shape), c.at, force});
+        on_touch(touch{static_cast<std::size_t>(shape), c.at, force, c.normal, slip_of(c)});
     }
     contacts_.clear();
   }
@@ -92,6 +95,21 @@ private:
     Eigen::Vector3d at, normal;  // the normal points into the first shape
     dJointFeedback feedback;
   };
+
+  Eigen::Vector3d slip_of(const contact& c) const {
+    const pair& p = pairs_[c.pair];
+    const Eigen::Vector3d speed =
+        speed_of(dGeomGetBody(p.first), c.at) -
+        speed_of(p.second ? dGeomGetBody(p.second) : nullptr, c.at);
+    return speed - speed.dot(c.normal) * c.normal;
+  }
+  // Of the material point of a body; null: it stands.
+  static Eigen::Vector3d speed_of(dBodyID b, const Eigen::Vector3d& at) {
+    if (!b) return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d arm = at - Eigen::Vector3d::Map(dBodyGetPosition(b)),
+                          w = Eigen::Vector3d::Map(dBodyGetAngularVel(b));
+    return Eigen::Vector3d::Map(dBodyGetLinearVel(b)) + cca::detail::cross(w, arm);
+  }
 
   static int meet(const pair& p, std::array<dContact, most>& found) {
     int count = 0;

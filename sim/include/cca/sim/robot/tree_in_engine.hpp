@@ -12,6 +12,7 @@
 // without a joint, a link without mass, an inertia that is not positive definite.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -140,10 +141,16 @@ public:
 
   bool is_held_parallel(std::size_t i) const { return held_[i] != nullptr; }
 
-  // Before each step: the engine's motors don't know the angles that they hold.
-  void hold_parallel() const {
-    for (std::size_t i = 0; i < held_.size(); ++i)
-      if (held_[i]) dJointSetAMotorAngle(held_[i], 0, deviation(i));
+  // Before each step: the engine's motors don't know the angles that they hold. The largest of them, rad.
+  double hold_parallel() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+      if (!held_[i]) continue;
+      const double off = deviation(i);
+      dJointSetAMotorAngle(held_[i], 0, off);
+      largest = std::max(largest, std::abs(off));
+    }
+    return largest;
   }
 
   // The force of a coordinate on its joint, which leads, for the next step, N m (a slider: N).

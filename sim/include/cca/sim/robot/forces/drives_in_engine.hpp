@@ -33,6 +33,7 @@ public:
         moves_(like ? like->moves_ : mobility(model_)),
         motors_(model_->drives.size()),
         held_(model_->drives.size(), 0),
+        torques_(model_->drives.size(), 0),
         resistances_(moves_.count()),
         turning_(model_->drives.size(), 0),
         forces_(parts * model_->drives.size() + model_->line_springs.size()),
@@ -89,7 +90,7 @@ public:
         motors_[c] = motor;
         hold(tree, coupled, i, joint_force::motor, motor);
       } else {
-        push = torque_of_motor(d, state, c);
+        push = torques_[c] = torque_of_motor(d, state, c);
         r.torque += share * push;
         release(coupled, c, joint_force::motor);
       }
@@ -105,7 +106,8 @@ public:
     }
   }
 
-  // After a step: where the joints are, unless their coupling knows it, and the torques of the motors.
+  // After a step: where the joints are, unless their coupling knows it, and the torques and the work of the
+  // motors. A motor that winds a cable works at the speed of its pulley.
   void account(const tree_in_engine& tree,
                const coupled_joints& coupled,
                robot_state& state,
@@ -121,10 +123,16 @@ public:
       r.velocity = now.speed;
     }
     for (std::size_t c = 0; c < motors_.size(); ++c) {
-      if (!held_[c]) continue;
-      const double torque = motors_[c].after(state.joints[c].velocity, step_);
-      state.joints[c].torque += share * torque;
-      if (model_->drives[c].cable.stiffness > 0) state.winches[c].torque = torque;
+      const bool winds = model_->drives[c].cable.stiffness > 0;
+      double torque = torques_[c];
+      if (held_[c]) {
+        torque = motors_[c].after(state.joints[c].velocity, step_);
+        state.joints[c].torque += share * torque;
+        if (winds) state.winches[c].torque = torque;
+      }
+      const double work = step_ * torque * (winds ? state.winches[c].speed : state.joints[c].velocity);
+      state.positive_work += std::max(0.0, work);
+      state.absolute_work += std::abs(work);
     }
   }
 
@@ -190,6 +198,7 @@ private:
   mobility moves_;
   std::vector<soft_force> motors_;       // over the coordinates: those that are held
   std::vector<char> held_;               // over the coordinates
+  std::vector<double> torques_;          // over the coordinates: of the motors in this step, unless held
   std::vector<double> resistances_;      // over coordinates and springs
   std::vector<double> turning_;          // over the coordinates: of lines that turn (mobility.hpp)
   std::vector<mobility::force> forces_;  // the parts of each coordinate, then the springs

@@ -1,4 +1,5 @@
-// What pulls at the ends of a robot's parts, and what its force sensors feel of the contacts at them.
+// What pulls at the ends of a robot's parts and pushes its base, and what its force sensors feel of the
+// contacts.
 #pragma once
 
 #include <array>
@@ -10,6 +11,11 @@
 #include <cca/sim/robot/tree_in_engine.hpp>
 
 namespace cca::sim {
+
+// For the next step: on the centre of mass of the base, if it floats.
+inline void push_base(const tree_in_engine& tree, const std::array<double, 3>& force) {
+  if (tree.base()) dBodyAddForce(tree.base(), force[0], force[1], force[2]);
+}
 
 // For the next step.
 inline void pull_at_ends(const robot_model& model,
