@@ -42,8 +42,7 @@ struct sled {
 
 // A lift of 2 kg on a rail.
 struct rail : cca::dimension<"rail"> {
-  static constexpr auto limits =
-      cca::limits{cca::angle{-1, 1}, cca::velocity{-1, 1}, cca::torque{-100, 100}};
+  static constexpr auto limits = cca::limits{cca::angle{-1, 1}, cca::velocity{-1, 1}, cca::torque{-100, 100}};
 };
 struct rail_chain : cca::serial_chain<room, tip_frame, cca::axes<rail>> {
   static constexpr std::array joints{cca::prismatic(cca::along_z)};

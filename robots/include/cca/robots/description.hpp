@@ -29,6 +29,7 @@
 #include <cca/robot/body_pose.hpp>
 #include <cca/robots/cable_drive.hpp>
 #include <cca/robots/commands.hpp>
+#include <cca/robots/crossing.hpp>
 #include <cca/robots/line_spring.hpp>
 #include <cca/robots/motor_line.hpp>
 #include <cca/robots/sensors.hpp>
@@ -108,8 +109,9 @@ struct sensors_of<R> {
 
 template <class Body>
 constexpr bool moves_mass = [] {
-  for (const auto& l : cca::detail::body_tree_of<Body>.links)
-    if (!(l.inertia.mass > 0)) return false;
+  const auto& links = cca::detail::body_tree_of<Body>.links;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (!(links[i].inertia.mass > 0) && crossing_after(links, i) < 0) return false;
   return true;
 }();
 
@@ -165,7 +167,8 @@ constexpr void check_masses() {
   using body = typename R::body;
   static_assert(moves_mass<body>,
                 "robot.description: a link of this body has no mass, so no torque could move it; give each "
-                "link an inertia, in `links` of its chain");
+                "link an inertia, in `links` of its chain; only a link between two hinges that cross at "
+                "right angles needs none");
   static_assert(!floats<R> || cca::detail::base_inertia_of<body>().mass > 0,
                 "robot.description: this robot floats, but the base of its body has no mass; add "
                 "`static constexpr cca::link_inertia base{...};` to the body");

@@ -7,9 +7,8 @@
 //        "orientation", "angular_velocity", "acceleration"         of the trunk
 //        "left_front_load", "right_front_load", "left_hind_load", "right_hind_load"   on the feet
 //
-// The numbers are those of body.hpp. CHOSEN, besides: the servos, as in cca/sim/oncilla_model.hpp, and a
-// bracket between the two hinges of a hip, because the engine needs a body there; its mass is taken from the
-// trunk.
+// The numbers are those of body.hpp. CHOSEN, besides: the servos, as in cca/sim/oncilla_model.hpp. Abduction
+// and hip cross in one point, so the link between them needs no mass (cca/robots/crossing.hpp).
 //
 // cca::sim::oncilla is the same robot with the ports of the real one and a world that accounts for work and
 // slip. tests/runtime/any_robot/oncilla.cpp compares the two; robot_on_drives/oncilla.cpp has it on drives.
@@ -35,14 +34,6 @@ struct left_hind_toe : toe<"left_hind_toe"> {};
 struct right_hind_toe : toe<"right_hind_toe"> {};
 
 namespace detail {
-
-inline constexpr double bracket_mass = 0.02, bracket_radius = 0.02;
-
-inline constexpr cca::link_inertia trunk_without_brackets =
-    box(body.trunk_mass - static_cast<double>(leg_count) * bracket_mass,
-        body.trunk_length,
-        body.trunk_width,
-        body.trunk_height);
 
 constexpr cca::link_inertia ball(double mass, double radius, const std::array<double, 3>& centre) {
   const double i = 0.4 * mass * radius * radius;
@@ -77,8 +68,7 @@ struct walking_leg : cca::serial_chain<trunk_frame, Foot, cca::axes<Abduction, H
       cca::revolute(cca::along_y, cca::at(0, 0, -body.middle_length)).driven_by(2, -1),
       cca::revolute(forward, cca::at(0, 0, -body.lower_length)).driven_by(3)};
   static constexpr auto tip = cca::at(0, 0, -body.toe_length);
-  static constexpr std::array links{detail::ball(detail::bracket_mass, detail::bracket_radius, {}),
-                                    detail::segment(body.upper_mass, body.upper_length),
+  static constexpr std::array links{cca::link_inertia{}, detail::segment(body.upper_mass, body.upper_length),
                                     detail::segment(body.middle_mass, body.middle_length),
                                     detail::segment(body.lower_mass, body.lower_length),
                                     detail::ball(body.toe_mass, body.foot_radius, {0, 0, -body.toe_length})};
@@ -114,7 +104,7 @@ struct walking_body : cca::body<trunk_frame,
                                 cca::part<"right_front_leg", right_front_walking_leg>,
                                 cca::part<"left_hind_leg", left_hind_walking_leg>,
                                 cca::part<"right_hind_leg", right_hind_walking_leg>> {
-  static constexpr cca::link_inertia base = detail::trunk_without_brackets;
+  static constexpr cca::link_inertia base = detail::trunk;
 };
 
 struct description {

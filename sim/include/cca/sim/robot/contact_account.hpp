@@ -38,14 +38,21 @@ struct contact_account {
 
   // Of several shapes; `touching` is that of the one that touched longest.
   contact_account operator+(const contact_account& other) const {
-    return {pressing + other.pressing, load + other.load, slip + other.slip,
-            friction_work + other.friction_work, std::max(touching, other.touching),
+    return {pressing + other.pressing,
+            load + other.load,
+            slip + other.slip,
+            friction_work + other.friction_work,
+            std::max(touching, other.touching),
             contacts + other.contacts};
   }
   // Since an earlier moment.
   contact_account operator-(const contact_account& before) const {
-    return {pressing, load - before.load, slip - before.slip, friction_work - before.friction_work,
-            touching - before.touching, contacts};
+    return {pressing,
+            load - before.load,
+            slip - before.slip,
+            friction_work - before.friction_work,
+            touching - before.touching,
+            contacts};
   }
 };
 

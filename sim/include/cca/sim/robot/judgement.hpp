@@ -24,7 +24,8 @@ inline world_trouble look_at_bodies(const tree_in_engine& tree,
     if (!found) found = look_at_body(b, name, bounds, step, energy);
   };
   if (tree.base()) judge(tree.base(), world_trouble::base);
-  for (std::size_t i = 0; i < tree.links().size(); ++i) judge(tree.links()[i], static_cast<int>(i));
+  for (std::size_t i = 0; i < tree.links().size(); ++i)
+    if (tree.links()[i]) judge(tree.links()[i], static_cast<int>(i));
   for (std::size_t i = 0; i < balls.size(); ++i)
     judge(balls[i], world_trouble::first_ball - static_cast<int>(i));
   return found;

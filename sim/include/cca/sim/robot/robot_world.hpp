@@ -186,7 +186,8 @@ public:
     return sum / mass();
   }
 
-  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the motors.
+  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
+  // motors.
   const contact_account& contact(std::size_t shape) const { return state_.contacts.at(shape); }
   contact_account contact_at_end(std::size_t part) const {
     return contact_of(*model_, state_.contacts,
@@ -279,7 +280,8 @@ private:
   template <class F>
   void each_link(F f) const {
     if (tree_.base()) f(tree_.base());
-    for (const dBodyID b : tree_.links()) f(b);
+    for (const dBodyID b : tree_.links())
+      if (b) f(b);  // none where joints cross
   }
   template <class F>
   void each_body(F f) const {

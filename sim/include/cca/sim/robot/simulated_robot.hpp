@@ -12,8 +12,8 @@
 //   of physics.
 //
 // `put_down` sets the world; without it the robot stands alone where R::start has it. `disturb` pushes the
-// base at given times; `world()` is for all else that happens to the robot: pulls, boxes that move. A copy of the node is a snapshot of the world. Cost: a beat
-// of physics (docs/robots.md); the rest is copying numbers.
+// base at given times; `world()` is for all else that happens to the robot: pulls, boxes that move. A copy of
+// the node is a snapshot of the world. Cost: a beat of physics (docs/robots.md); the rest is copying numbers.
 #pragma once
 
 #include <array>

@@ -99,8 +99,7 @@ private:
   Eigen::Vector3d slip_of(const contact& c) const {
     const pair& p = pairs_[c.pair];
     const Eigen::Vector3d speed =
-        speed_of(dGeomGetBody(p.first), c.at) -
-        speed_of(p.second ? dGeomGetBody(p.second) : nullptr, c.at);
+        speed_of(dGeomGetBody(p.first), c.at) - speed_of(p.second ? dGeomGetBody(p.second) : nullptr, c.at);
     return speed - speed.dot(c.normal) * c.normal;
   }
   // Of the material point of a body; null: it stands.

@@ -7,9 +7,11 @@
 // The base is fixed in the world, or floats: then it is a body too. Of several joints of one coordinate the
 // first without a ratio leads: it alone is pushed and has stops; the others follow it (coupled_joints.hpp).
 // One that turns back what its parent turned keeps its link parallel to the one before (a pantograph): the
-// engine itself holds it, by an angular motor whose stops are zero.
+// engine itself holds it, by an angular motor whose stops are zero. Two hinges that cross at right angles,
+// with a link without mass between them, are one universal joint of the engine: that link has no body.
 // Errors: std::invalid_argument, outside of the loop, for what the engine can't represent: a coordinate
-// without a joint, a link without mass, an inertia that is not positive definite.
+// without a joint, a link without mass (but the one above), an inertia that is not positive definite, a shape
+// or a spring on a link without mass.
 #pragma once
 
 #include <algorithm>
@@ -24,24 +26,14 @@
 
 #include <ode/ode.h>
 
-#include <Eigen/Cholesky>
-
-#include <cca/mapping/kinematics.hpp>
-#include <cca/robot/dynamics/spatial_inertia.hpp>
+#include <cca/robots/crossing.hpp>
 #include <cca/sim/engine.hpp>
+#include <cca/sim/robot/crossing_joints.hpp>
+#include <cca/sim/robot/engine_joint.hpp>
+#include <cca/sim/robot/link_in_engine.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 
 namespace cca::sim {
-
-// A frame that moves, in the world: velocities along the world's axes, of the frame's origin.
-struct moving_frame {
-  rigid where{};
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
-};
-
-inline double sum_of(const moving_frame& f) {
-  return f.where.at.sum() + f.where.turn.sum() + f.velocity.sum() + f.angular_velocity.sum();
-}
 
 class tree_in_engine {
 public:
@@ -50,14 +42,16 @@ public:
   tree_in_engine(dWorldID world, std::shared_ptr<const robot_model> model, const rigid& mount)
       : model_(std::move(model)), links_(model_->links.size()), frames_(links_.size()), mount_(mount) {
     check();
-    if (model_->floats) base_ = body(world, model_->base, "the base");
+    if (model_->floats) base_ = made_link(world, model_->base, "the base");
     for (std::size_t i = 0; i < links_.size(); ++i)
-      links_[i] = body(world, model_->links[i].inertia, "link " + std::to_string(i));
+      if (!is_crossing(i))
+        links_[i] = made_link(world, model_->links[i].inertia, "link " + std::to_string(i));
     std::vector<double> middle;
     for (const joint_stops& s : model_->stops) middle.push_back(s.middle());
     place(middle, std::vector<double>(middle.size(), 0.0), {mount, vector::Zero(), vector::Zero()});
-    joints_.reserve(links_.size());
-    for (std::size_t i = 0; i < links_.size(); ++i) joints_.push_back(joint(world, i));
+    joints_.assign(links_.size(), {});
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      if (!is_crossing(i)) add_joint(world, i);
     held_.assign(links_.size(), nullptr);
     for (std::size_t i = 0; i < links_.size(); ++i)
       if (turns_back(i)) held_[i] = parallel(world, i);
@@ -69,7 +63,7 @@ public:
     moving_frame root{mount_, vector::Zero(), vector::Zero()};
     if (base_) {
       root = base;
-      put(base_, root, model_->base);
+      put_link(base_, root, model_->base);
     }
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const auto& l = model_->links[i];
@@ -84,22 +78,35 @@ public:
       f.angular_velocity = p.angular_velocity;
       f.velocity = p.velocity + cross(p.angular_velocity, f.where.at - p.where.at);
       (l.kind == joint_kind::revolute ? f.angular_velocity : f.velocity) += speed * axis;
-      put(links_[i], f, l.inertia);
+      if (links_[i]) put_link(links_[i], f, l.inertia);
     }
   }
 
+  // Null: a fixed base, or a link without mass where joints cross.
   dBodyID body_of(int link) const { return link < 0 ? base_ : links_[static_cast<std::size_t>(link)]; }
-  dJointID joint_of(std::size_t link) const { return joints_[link]; }
+  // The bodies that a joint turns or shifts against each other. Below, null: a fixed base.
+  dBodyID body_above(std::size_t joint) const {
+    return links_[is_crossing(joint) ? static_cast<std::size_t>(next_[joint]) : joint];
+  }
+  dBodyID body_below(std::size_t joint) const {
+    const int parent = model_->links[joint].parent;
+    const bool crosses = parent >= 0 && is_crossing(static_cast<std::size_t>(parent));
+    return body_of(crosses ? model_->links[static_cast<std::size_t>(parent)].parent : parent);
+  }
+  // The link of this joint has no body: its joint crosses the next one.
+  bool is_crossing(std::size_t joint) const { return next_[joint] >= 0; }
+
+  const engine_joint& joint_of(std::size_t joint) const { return joints_[joint]; }
   const std::vector<dBodyID>& links() const { return links_; }
   dBodyID base() const { return base_; }  // null: it is fixed
 
   // The frame of a link (-1: the base), with its motion.
   moving_frame frame(int link) const {
     const dBodyID b = body_of(link);
-    if (!b) return {mount_, vector::Zero(), vector::Zero()};
+    if (!b) return link < 0 ? moving_frame{mount_} : between(static_cast<std::size_t>(link));
     const link_inertia& of = link < 0 ? model_->base : model_->links[static_cast<std::size_t>(link)].inertia;
     moving_frame f;
-    f.where.turn = turn(b);
+    f.where.turn = turn_of(b);
     const vector arm = f.where.turn * cca::detail::as_vector(of.centre);
     f.where.at = vector::Map(dBodyGetPosition(b)) - arm;
     f.angular_velocity = vector::Map(dBodyGetAngularVel(b));
@@ -122,6 +129,9 @@ public:
   };
   motion read(std::size_t i) const {
     const auto& l = model_->links[i];
+    if (is_crossing(i)) return read_crossing(i, i);
+    if (l.parent >= 0 && is_crossing(static_cast<std::size_t>(l.parent)))
+      return read_crossing(static_cast<std::size_t>(l.parent), i);
     const moving_frame p = frame(l.parent), c = frame(static_cast<int>(i));
     const rigid home = home_of(p.where, l);
     const vector axis = home.turn * cca::detail::as_vector(l.axis);
@@ -156,8 +166,8 @@ public:
   // The force of a coordinate on its joint, which leads, for the next step, N m (a slider: N).
   void push(std::size_t i, double force) const {
     const auto& l = model_->links[i];
-    const dBodyID child = links_[i], parent = body_of(l.parent);
-    const vector f = force / l.ratio * (turn(child) * cca::detail::as_vector(l.axis));
+    const dBodyID child = body_above(i), parent = body_below(i);
+    const vector f = force / l.ratio * axis_of(i);
     if (l.kind == joint_kind::revolute) {
       dBodyAddTorque(child, f[0], f[1], f[2]);
       if (parent) dBodyAddTorque(parent, -f[0], -f[1], -f[2]);
@@ -170,6 +180,42 @@ public:
 
 private:
   static vector cross(const vector& a, const vector& b) { return cca::detail::cross(a, b); }
+  static Eigen::Map<const Eigen::Matrix3d> home_turn(const cca::detail::body_link& l) {
+    return Eigen::Map<const Eigen::Matrix3d>(l.turn.data());
+  }
+  Eigen::Matrix3d turn_below(std::size_t i) const {
+    const dBodyID b = body_below(i);
+    return b ? turn_of(b) : mount_.turn;
+  }
+  // Of a joint, in the world. A joint that crosses the next one has its axis in the link below.
+  vector axis_of(std::size_t i) const {
+    const auto& l = model_->links[i];
+    const vector axis = cca::detail::as_vector(l.axis);
+    if (is_crossing(i)) return turn_below(i) * (home_turn(l) * axis);
+    return turn_of(links_[i]) * axis;
+  }
+
+  // One of two joints that cross; `first` is the one below.
+  motion read_crossing(std::size_t first, std::size_t i) const {
+    const auto &l = model_->links[i], &a = model_->links[first],
+               &b = model_->links[static_cast<std::size_t>(next_[first])];
+    const crossing_angles now = crossing_of(a, b, turn_below(first), turn_of(body_above(first)));
+    vector turning = vector::Map(dBodyGetAngularVel(body_above(first)));
+    if (const dBodyID below = body_below(first)) turning -= vector::Map(dBodyGetAngularVel(below));
+    return {((i == first ? now.first : now.second) - l.rest) / l.ratio, turning.dot(axis_of(i)) / l.ratio};
+  }
+  // The frame of a link without a body.
+  moving_frame between(std::size_t i) const {
+    const auto& l = model_->links[i];
+    const motion now = read_crossing(i, i);
+    moving_frame f = frame(l.parent);
+    const rigid home = home_of(f.where, l);
+    f.velocity += cross(f.angular_velocity, home.at - f.where.at);
+    f.angular_velocity += l.ratio * now.speed * axis_of(i);
+    f.where = home;
+    cca::detail::turn_about(f.where.turn, l, l.ratio * now.position + l.rest);
+    return f;
+  }
 
   void check() {
     if (model_->stops.size() != model_->drives.size() || model_->start.size() != model_->drives.size())
@@ -185,74 +231,51 @@ private:
     for (std::size_t c = 0; c < leads_.size(); ++c)
       if (leads_[c] < 0 || model_->links[static_cast<std::size_t>(leads_[c])].ratio == 0)
         throw std::invalid_argument("cca::sim::robot: coordinate " + std::to_string(c) + " moves no joint");
+    next_.assign(model_->links.size(), -1);
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      const int after = robots::detail::crossing_after(model_->links, i);
+      if (after >= 0 && leads(i) && leads(static_cast<std::size_t>(after))) next_[i] = after;
+    }
+    for (const placed_shape& s : model_->shapes) check_link(s.link);
+    for (const placed_spring& s : model_->line_springs) check_link(s.from.link), check_link(s.to.link);
+    for (const place_on_link& end : model_->ends) check_link(end.link);
+  }
+  void check_link(int link) const {
+    if (link >= 0 && is_crossing(static_cast<std::size_t>(link)))
+      throw std::invalid_argument("cca::sim::robot: link " + std::to_string(link) +
+                                  " has no mass, so it can't carry a shape, a spring or the end of a part; "
+                                  "give it an inertia");
   }
 
   // The frame of a joint whose angle is 0.
   static rigid home_of(const rigid& parent, const cca::detail::body_link& l) {
-    return {parent.turn * Eigen::Map<const Eigen::Matrix3d>(l.turn.data()),
-            parent.at + parent.turn * cca::detail::as_vector(l.at)};
-  }
-
-  static Eigen::Matrix3d turn(dBodyID b) {
-    return Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(dBodyGetRotation(b)).leftCols<3>();
-  }
-
-  static dBodyID body(dWorldID world, const link_inertia& of, const std::string& name) {
-    const auto& i = of.about_centre;
-    dMass mass;
-    dMassSetZero(&mass);
-    const Eigen::Matrix3d inertia = cca::detail::matrix_of(i);
-    if (!(of.mass > 0) || !(inertia.llt().info() == Eigen::Success))
-      throw std::invalid_argument("cca::sim::robot: " + name +
-                                  " needs a mass above 0 and an inertia that is positive definite");
-    dMassSetParameters(&mass, of.mass, 0, 0, 0, i[0], i[1], i[2], i[3], i[4], i[5]);
-    const dBodyID b = dBodyCreate(world);
-    dBodySetMass(b, &mass);
-    dBodySetGyroscopicMode(b, 0);  // gyroscopic.hpp
-    return b;
-  }
-
-  static void put(dBodyID b, const moving_frame& f, const link_inertia& of) {
-    const vector arm = f.where.turn * cca::detail::as_vector(of.centre), at = f.where.at + arm;
-    const vector v = f.velocity + cross(f.angular_velocity, arm), &w = f.angular_velocity;
-    const Eigen::Matrix3d& r = f.where.turn;
-    const dMatrix3 rotation{r(0, 0), r(0, 1), r(0, 2), 0,       r(1, 0), r(1, 1),
-                            r(1, 2), 0,       r(2, 0), r(2, 1), r(2, 2), 0};
-    dBodySetRotation(b, rotation);
-    dBodySetPosition(b, at[0], at[1], at[2]);
-    dBodySetLinearVel(b, v[0], v[1], v[2]);
-    dBodySetAngularVel(b, w[0], w[1], w[2]);
+    return {parent.turn * home_turn(l), parent.at + parent.turn * cca::detail::as_vector(l.at)};
   }
 
   // Made with all coordinates in the middle of their ranges: the engine's stops work on angles within
   // (-pi, pi) of where a joint was made. A hinge with a wider range has no stops.
-  dJointID joint(dWorldID world, std::size_t i) const {
+  void add_joint(dWorldID world, std::size_t i) {
     const auto& l = model_->links[i];
-    const dBodyID child = links_[i], parent = body_of(l.parent);
-    const rigid f = frame(static_cast<int>(i)).where;
-    const vector axis = f.turn * cca::detail::as_vector(l.axis);
-    const joint_stops& stops = model_->stops[static_cast<std::size_t>(l.coordinate)];
-    const double reach = std::abs(l.ratio) * (stops.high - stops.low) / 2;
-    const bool has_stops = leads(i) && std::isfinite(reach);
-    if (l.kind == joint_kind::prismatic) {
-      const dJointID j = dJointCreateSlider(world, nullptr);
-      dJointAttach(j, child, parent);
-      dJointSetSliderAxis(j, axis[0], axis[1], axis[2]);
-      if (has_stops) {
-        dJointSetSliderParam(j, dParamLoStop, -reach);
-        dJointSetSliderParam(j, dParamHiStop, reach);
-      }
-      return j;
+    const dBodyID child = body_above(i), parent = body_below(i);
+    const vector at = frame(static_cast<int>(i)).where.at, axis = axis_of(i);
+    if (l.parent >= 0 && is_crossing(static_cast<std::size_t>(l.parent))) {
+      const auto below = static_cast<std::size_t>(l.parent);
+      joints_[i] = engine_joint::universal(world, child, parent, at, axis, axis_of(below));
+      joints_[below] = joints_[i].other_axis();
+      add_stops(below);
+    } else if (l.kind == joint_kind::prismatic) {
+      joints_[i] = engine_joint::slider(world, child, parent, axis);
+    } else {
+      joints_[i] = engine_joint::hinge(world, child, parent, at, axis);
     }
-    const dJointID j = dJointCreateHinge(world, nullptr);
-    dJointAttach(j, child, parent);
-    dJointSetHingeAnchor(j, f.at[0], f.at[1], f.at[2]);
-    dJointSetHingeAxis(j, axis[0], axis[1], axis[2]);
-    if (has_stops && reach < std::numbers::pi) {
-      dJointSetHingeParam(j, dParamLoStop, -reach);
-      dJointSetHingeParam(j, dParamHiStop, reach);
-    }
-    return j;
+    add_stops(i);
+  }
+  void add_stops(std::size_t i) const {
+    const auto& l = model_->links[i];
+    const double reach = stop_reach(l, model_->stops[static_cast<std::size_t>(l.coordinate)]);
+    if (!leads(i) || !(reach > 0)) return;
+    joints_[i].set(dParamLoStop, -reach);
+    joints_[i].set(dParamHiStop, reach);
   }
 
   // A hinge directly behind its leader, about the same axis, as far back as the leader goes.
@@ -271,7 +294,7 @@ private:
     const auto& leader = model_->links[static_cast<std::size_t>(l.parent)];
     rigid home = home_of(frame(leader.parent).where, leader);
     cca::detail::turn_about(home.turn, leader, leader.rest + l.rest);
-    return angle_about(l, home_of(home, l).turn.transpose() * turn(links_[i]));
+    return angle_about(l, home_of(home, l).turn.transpose() * turn_of(links_[i]));
   }
 
   // Of a rotation about the axis of a joint, from (-pi, pi].
@@ -283,7 +306,7 @@ private:
   dJointID parallel(dWorldID world, std::size_t i) const {
     constexpr int in_first_body = 1;
     const auto& l = model_->links[i];
-    const vector axis = turn(links_[i]) * cca::detail::as_vector(l.axis);
+    const vector axis = turn_of(links_[i]) * cca::detail::as_vector(l.axis);
     const dJointID j = dJointCreateAMotor(world, nullptr);
     dJointAttach(j, links_[i], body_of(model_->links[static_cast<std::size_t>(l.parent)].parent));
     dJointSetAMotorMode(j, dAMotorUser);
@@ -297,9 +320,10 @@ private:
   std::shared_ptr<const robot_model> model_;
   std::vector<dBodyID> links_;
   std::vector<moving_frame> frames_;  // those of the last `place`
-  std::vector<dJointID> joints_;
+  std::vector<engine_joint> joints_;
   std::vector<dJointID> held_;  // null: not held parallel
   std::vector<int> leads_;      // over the coordinates
+  std::vector<int> next_;       // over the joints: the one that it crosses, -1: none
   dBodyID base_ = nullptr;
   rigid mount_;
 };

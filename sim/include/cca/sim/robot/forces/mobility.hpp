@@ -21,7 +21,9 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
+#include <cca/robots/crossing.hpp>
 #include <cca/sim/robot/forces/tree_inertia.hpp>
 
 namespace cca::sim {
@@ -145,22 +147,47 @@ private:
     now_.noalias() = half_.transpose() * half_;
   }
 
+  // The links with a mass on both sides of a joint. Where joints cross, one of them turns against the axis.
+  struct crossing {
+    int above, below;
+    bool turns_above = false, turns_below = false;
+  };
+  crossing crossing_at(const cca::detail::body_link& l) const {
+    const auto own = static_cast<int>(&l - model_->links.data());
+    crossing c{own, l.parent};
+    if (!(l.inertia.mass > 0)) {
+      c.above = robots::detail::crossing_after(model_->links, static_cast<std::size_t>(own));
+      c.turns_above = true;
+    }
+    if (l.parent >= 0 && !(model_->links[static_cast<std::size_t>(l.parent)].inertia.mass > 0)) {
+      c.below = model_->links[static_cast<std::size_t>(l.parent)].parent;
+      c.turns_below = true;
+    }
+    return c;
+  }
+
   // A bound for every posture: of the energy of all bodies only that of the two at a joint, and these free
   // otherwise. A slider moves the centre of its link along its axis, which changes no term here.
   void bound() {
     using cca::detail::as_vector, cca::detail::cross, cca::detail::matrix_of;
     for (const auto& l : model_->links) {
-      const bool has_parent = l.parent >= 0 || model_->floats;
-      const link_inertia& below =
-          l.parent >= 0 ? model_->links[static_cast<std::size_t>(l.parent)].inertia : model_->base;
+      const crossing at_joint = crossing_at(l);
+      const bool has_parent = at_joint.below >= 0 || model_->floats;
+      const link_inertia &above = model_->links[static_cast<std::size_t>(at_joint.above)].inertia,
+                         &below = at_joint.below >= 0
+                                      ? model_->links[static_cast<std::size_t>(at_joint.below)].inertia
+                                      : model_->base;
       const Eigen::Matrix3d turn = Eigen::Map<const Eigen::Matrix3d>(l.turn.data()),
-                            own = turn * matrix_of(l.inertia.about_centre) * turn.transpose();
+                            own = turn * matrix_of(above.about_centre) * turn.transpose();
       const Eigen::Vector3d axis = turn * as_vector(l.axis);
-      const auto eased = [](const Eigen::Matrix3d& inertia, const Eigen::Vector3d& a) {
+      const auto eased = [](const Eigen::Matrix3d& inertia, const Eigen::Vector3d& a, bool any_way = false) {
+        if (any_way) return 1 / Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues()[0];
         return a.dot(inertia.llt().solve(a));
       };
-      double all = l.kind == joint_kind::revolute ? eased(own, axis) : 1 / l.inertia.mass;
-      if (has_parent && l.kind == joint_kind::revolute) all += eased(matrix_of(below.about_centre), axis);
+      double all =
+          l.kind == joint_kind::revolute ? eased(own, axis, at_joint.turns_above) : 1 / l.inertia.mass;
+      if (has_parent && l.kind == joint_kind::revolute)
+        all += eased(matrix_of(below.about_centre), axis, at_joint.turns_below);
       if (has_parent && l.kind == joint_kind::prismatic) {
         const Eigen::Vector3d apart =
             as_vector(l.at) + turn * as_vector(l.inertia.centre) - as_vector(below.centre);

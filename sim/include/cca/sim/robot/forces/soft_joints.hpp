@@ -30,7 +30,7 @@ public:
       const auto& l = model.links[i];
       const auto c = static_cast<std::size_t>(l.coordinate);
       ratio_[c] = l.ratio;
-      for (row& r : rows_[c]) r = made(world, tree, l, static_cast<int>(i));
+      for (row& r : rows_[c]) r = made(world, tree, l, i);
     }
   }
 
@@ -64,16 +64,23 @@ private:
     bool turns = true, acts = false;
   };
 
-  static row made(dWorldID world, const tree_in_engine& tree, const cca::detail::body_link& l, int link) {
-    constexpr int in_first_body = 1;
-    const Eigen::Vector3d axis = tree.frame(link).where.turn * cca::detail::as_vector(l.axis);
+  static row made(dWorldID world,
+                  const tree_in_engine& tree,
+                  const cca::detail::body_link& l,
+                  std::size_t link) {
+    constexpr int in_world = 0, in_first_body = 1, in_second_body = 2;
+    const Eigen::Vector3d axis =
+        tree.frame(static_cast<int>(link)).where.turn * cca::detail::as_vector(l.axis);
+    const int fixed_in = !tree.is_crossing(link) ? in_first_body
+                         : tree.body_below(link) ? in_second_body
+                                                 : in_world;
     row r{.turns = l.kind == joint_kind::revolute};
     r.joint = r.turns ? dJointCreateAMotor(world, nullptr) : dJointCreateLMotor(world, nullptr);
-    dJointAttach(r.joint, tree.body_of(link), tree.body_of(l.parent));
+    dJointAttach(r.joint, tree.body_above(link), tree.body_below(link));
     if (r.turns) {
       dJointSetAMotorMode(r.joint, dAMotorUser);
       dJointSetAMotorNumAxes(r.joint, 1);
-      dJointSetAMotorAxis(r.joint, 0, in_first_body, axis[0], axis[1], axis[2]);
+      dJointSetAMotorAxis(r.joint, 0, fixed_in, axis[0], axis[1], axis[2]);
     } else {
       dJointSetLMotorNumAxes(r.joint, 1);
       dJointSetLMotorAxis(r.joint, 0, in_first_body, axis[0], axis[1], axis[2]);

@@ -41,7 +41,7 @@ public:
       const double end = joints[c].angle + step * joints[c].velocity;
       const joint_stops& s = model.stops[c];
       if (end > s.high + near || end < s.low - near || is_stiff(c)) bound(model, tree, i, end > s.middle());
-      else if (changed_[i]) unbound(model, tree, i);
+      else if (changed_[i]) unbound(tree, i);
     }
   }
 
@@ -50,29 +50,20 @@ private:
 
   void bound(const robot_model& model, const tree_in_engine& tree, std::size_t i, bool upwards) {
     constexpr double passed = 1e-3;
-    const auto& l = model.links[i];
-    const dJointID j = tree.joint_of(i);
-    const bool turns = l.kind == joint_kind::revolute;
-    const double at = turns ? dJointGetHingeAngle(j) : dJointGetSliderPosition(j);
-    const bool to_high = upwards == (l.ratio > 0);
+    const double at = tree.joint_of(i).position();
+    const bool to_high = upwards == (model.links[i].ratio > 0);
     const double left = to_high ? reach_[i] - at : at + reach_[i];
-    unbound(model, tree, i);
+    unbound(tree, i);
     if (!(left > 0)) return;  // the engine's stop holds it
-    put(j, turns, to_high ? dParamHiStop : dParamLoStop, to_high ? at - passed : at + passed);
-    put(j, turns, dParamStopERP, -left / passed);
+    tree.joint_of(i).set(to_high ? dParamHiStop : dParamLoStop, to_high ? at - passed : at + passed);
+    tree.joint_of(i).set(dParamStopERP, -left / passed);
     changed_[i] = 1;
   }
-  void unbound(const robot_model& model, const tree_in_engine& tree, std::size_t i) {
-    const bool turns = model.links[i].kind == joint_kind::revolute;
-    const dJointID j = tree.joint_of(i);
-    put(j, turns, dParamLoStop, -reach_[i]);
-    put(j, turns, dParamHiStop, reach_[i]);
-    put(j, turns, dParamStopERP, erp_);
+  void unbound(const tree_in_engine& tree, std::size_t i) {
+    tree.joint_of(i).set(dParamLoStop, -reach_[i]);
+    tree.joint_of(i).set(dParamHiStop, reach_[i]);
+    tree.joint_of(i).set(dParamStopERP, erp_);
     changed_[i] = 0;
-  }
-  static void put(dJointID j, bool turns, int parameter, double value) {
-    if (turns) dJointSetHingeParam(j, parameter, value);
-    else dJointSetSliderParam(j, parameter, value);
   }
 
   std::vector<char> changed_;  // over the links

@@ -6,12 +6,14 @@
 //   now.jacobian(i)   of the centre of mass of link i (-1: the base): angular, then linear
 //
 // The columns of a base that floats are its angular, then its linear velocity in the world. Joints that
-// follow others are part of their coordinate. Cost: links times coordinates squared. Nothing allocates after
-// it was made.
+// follow others are part of their coordinate. Cost: for each link, the square of the coordinates that move
+// it. Nothing allocates after it was made.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <cca/sim/robot/tree_in_engine.hpp>
@@ -29,6 +31,14 @@ public:
     origins_.assign(slots(), vector::Zero());
     centres_.assign(slots(), vector::Zero());
     weights_.setZero(size(), size());
+    columns_.resize(slots());
+    for (Eigen::Index k = 0; k < first_; ++k) columns_[slot(-1)].push_back(k);
+    for (int i = 0; i < links(); ++i) {
+      const auto& l = model_->links[static_cast<std::size_t>(i)];
+      auto& own = columns_[slot(i)] = columns_[slot(l.parent)];
+      const Eigen::Index column = first_ + l.coordinate;
+      if (std::find(own.begin(), own.end(), column) == own.end()) own.push_back(column);
+    }
   }
 
   // Of the first coordinate.
@@ -69,7 +79,7 @@ public:
       origins_[slot(i)] = f.at;
       Eigen::MatrixXd& j = jacobians_[slot(i)];
       j = jacobians_[slot(l.parent)];
-      shift(j, f.at - origins_[slot(l.parent)]);
+      shift(i, f.at - origins_[slot(l.parent)]);
       const vector axis = l.ratio * (f.turn * cca::detail::as_vector(l.axis));
       auto column = j.col(first_ + l.coordinate);
       if (l.kind == joint_kind::revolute) column.head<3>() += axis;
@@ -79,7 +89,7 @@ public:
       const rigid f = tree.frame(i).where;
       const vector arm = f.turn * cca::detail::as_vector(inertia_of(i).centre);
       centres_[slot(i)] = f.at + arm;
-      shift(jacobians_[slot(i)], arm);
+      shift(i, arm);
     }
     weigh(tree);
   }
@@ -92,8 +102,9 @@ private:
     return link < 0 ? model_->base : model_->links[static_cast<std::size_t>(link)].inertia;
   }
 
-  static void shift(Eigen::MatrixXd& j, const vector& by) {
-    for (Eigen::Index k = 0; k < j.cols(); ++k)
+  void shift(int link, const vector& by) {
+    Eigen::MatrixXd& j = jacobians_[slot(link)];
+    for (const Eigen::Index k : columns_[slot(link)])
       j.col(k).tail<3>() += cca::detail::cross(vector(j.col(k).head<3>()), by);
   }
 
@@ -103,10 +114,12 @@ private:
       const Eigen::Matrix3d turn = tree.frame(i).where.turn;
       const Eigen::Matrix3d& w = inertias_[slot(i)] =
           turn * cca::detail::matrix_of(inertia_of(i).about_centre) * turn.transpose();
+      if (!(mass(i) > 0)) continue;
       const Eigen::MatrixXd& j = jacobians_[slot(i)];
-      for (Eigen::Index a = 0; a < j.cols(); ++a) {
+      const auto& moving = columns_[slot(i)];
+      for (const Eigen::Index a : moving) {
         const vector turned = w * j.col(a).head<3>(), moved = mass(i) * j.col(a).tail<3>();
-        for (Eigen::Index b = 0; b < j.cols(); ++b)
+        for (const Eigen::Index b : moving)
           weights_(b, a) += turned.dot(j.col(b).head<3>()) + moved.dot(j.col(b).tail<3>());
       }
     }
@@ -114,6 +127,7 @@ private:
 
   std::shared_ptr<const robot_model> model_;
   Eigen::Index first_;
+  std::vector<std::vector<Eigen::Index>> columns_;  // of each body: those of the speeds that move it
   std::vector<Eigen::MatrixXd> jacobians_;
   std::vector<Eigen::Matrix3d> inertias_;
   std::vector<vector> origins_, centres_;
