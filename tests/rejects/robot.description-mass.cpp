@@ -1,5 +1,5 @@
 // EXPECT: robot\.description: a link of this body has no mass, so no torque could move it
-// Kinematics need no inertia, but a simulated robot does.
+// Kinematics need no inertia, but a simulated robot does, except between two hinges that cross.
 #include <cca/robots/description.hpp>
 
 struct mount : cca::frame<"mount"> {};

@@ -79,13 +79,14 @@ inline std::vector<double> coordinates(const sim::initial_posture& posture) {
 }
 
 // Level, the lowest foot just above the ground.
-inline sim::robot_world put_down(const sim::initial_posture& posture,
-                                 const sim::scene& around,
-                                 const sim::robot_world_settings& settings = {}) {
+template <class R = described>
+sim::robot_world put_down(const sim::initial_posture& posture,
+                          const sim::scene& around,
+                          const sim::robot_world_settings& settings = {}) {
   double lowest = 0;
   for (const sim::leg_posture& leg : posture.legs)
     lowest = std::min(lowest, sim::foot_position(numbers, {leg.hip, leg.knee}).z);
-  sim::robot_world w(sim::model_of<described>(), around, settings);
+  sim::robot_world w(sim::model_of<R>(), around, settings);
   sim::moving_frame base;
   base.where.at[2] = -lowest + numbers.foot_radius + 0.001 + numbers.trunk_above_hips;
   base.velocity = Eigen::Vector3d::Map(posture.trunk_velocity.data());
@@ -111,28 +112,24 @@ struct walk {
 template <class Step>
 walk walked_in(const sim::robot_world& world, double seconds, Step step) {
   walk w;
-  double load = 0, slipping = 0, begun_at = 0;
+  double begun_at = 0;
+  sim::contact_account begun;
+  const auto feet = [&world] {
+    sim::contact_account sum;
+    for (std::size_t leg = 0; leg < 4; ++leg) sum = sum + world.contact_at_end(leg);
+    return sum;
+  };
   const auto beats = static_cast<std::size_t>(1000 * seconds);
   for (std::size_t k = 0; k < beats && !w.fell; ++k) {
     step();
     const sim::moving_frame trunk = world.frame(-1);
-    const Eigen::Vector3d up = trunk.where.turn.col(2);
-    w.fell = up[2] < std::cos(oncilla::degrees(30));
-    if (k == 2000) begun_at = trunk.where.at[0];
-    if (k < 2000) continue;
-    for (std::size_t leg = 0; leg < 4; ++leg) {
-      const sim::moving_frame foot = world.end(leg);
-      const double pressing = (foot.where.turn * Eigen::Vector3d::Map(world.load(leg).data() + 3))[2];
-      const Eigen::Vector3d contact =
-          foot.velocity +
-          cca::detail::cross(foot.angular_velocity, Eigen::Vector3d(0, 0, -numbers.foot_radius));
-      load += pressing;
-      slipping += pressing * contact.head<2>().norm();
-    }
+    w.fell = trunk.where.turn.col(2)[2] < std::cos(oncilla::degrees(30));
+    if (k == 2000) begun_at = trunk.where.at[0], begun = feet();
   }
+  const sim::contact_account walked = feet() - begun;
   const Eigen::Vector3d at = world.frame(-1).where.at;
   w.speed = (at[0] - begun_at) / (seconds - 2);
-  w.slip = slipping / load;
+  w.slip = walked.slip / walked.load;
   w.aside = at[1];
   return w;
 }

@@ -1,7 +1,7 @@
 // The resource node of one joint of a described robot, as far as it takes commands: the same for the
 // simulator and for drives. What it publishes is theirs.
 //
-//   act   in one input for each of `Commands`, under its name; out "wanted" wanted_joint<R, Axis>
+//   act   in one input for each command of the joint, under its name; out "wanted" wanted_joint<R, Axis>
 //
 // A command that has not come yet is NaN in "wanted", one that is not finite is infinite: a servo takes
 // neither for a number, and the guards of real drives stop for the second. Used by cca/sim/robot.hpp and
@@ -16,12 +16,12 @@
 
 namespace cca::robots {
 
-template <class R, class Axis, class Commands = typename R::commands>
+template <class R, class Axis, class Commands = commands_of_joint<R, Axis>>
 struct commanded_joint;
 
 template <class R, class Axis, class... Commands>
 struct commanded_joint<R, Axis, commands<Commands...>> {
-  auto act(in<Commands::name, sub_space<commanded<R, Commands>, Axis>>... given)
+  auto act(in<Commands::name, sub_space<command_space<R, Commands>, Axis>>... given)
       -> out<"wanted", wanted_joint<R, Axis>> {
     joint_commands c;
     ((c[Commands::kind] = given.origin() == never            ? joint_commands::none

@@ -12,6 +12,7 @@
 //     using sensors = cca::robots::sensors<cca::robots::force_sensor<"flange_load", "arm">>;  // sensors.hpp
 //     static constexpr bool floats = true;   // nothing holds the base; it needs body::base
 //     static constexpr std::array<double, 7> start{...};                     // coordinates, rad
+//     using readings = ...;                  // ports over some of the joints: groups.hpp
 //   };
 //
 // The limits stand at the axes of the body: those of `angle` are also the stops of the joints. What a
@@ -30,6 +31,7 @@
 #include <cca/robots/cable_drive.hpp>
 #include <cca/robots/commands.hpp>
 #include <cca/robots/crossing.hpp>
+#include <cca/robots/groups.hpp>
 #include <cca/robots/line_spring.hpp>
 #include <cca/robots/motor_line.hpp>
 #include <cca/robots/sensors.hpp>
@@ -47,6 +49,7 @@ struct joint_drive {
   double spring_rest = 0;  // rad, where that spring is slack
   cable_drive cable{};     // with a stiffness: the motor winds it, and acts by it alone
   bool measured = true;    // false: a passive joint that has no port
+  bool holds = false;      // true: before its first command the servo holds the joint where it is
 
   // Of what a position command pulls with.
   constexpr double position_stiffness() const { return cable.stiffness > 0 ? cable.stiffness : stiffness; }
@@ -148,11 +151,22 @@ constexpr bool springs_exist = [] {
   return true;
 }();
 
+template <class Body, class Sensor>
+constexpr bool parts_exist() {
+  for (const std::string_view part : Sensor::parts)
+    if (part_index<Body>(part) < 0 && !(is_inertial<Sensor> && part.empty())) return false;
+  return true;
+}
 template <class Body, class... Sensors>
 constexpr bool all_parts_exist(sensors<Sensors...>) {
-  return (((is_inertial<Sensors> && Sensors::part.view().empty()) ||
-           part_index<Body>(Sensors::part.view()) >= 0) &&
-          ...);
+  return (parts_exist<Body, Sensors>() && ...);
+}
+
+template <class R>
+constexpr bool readings_exist() {
+  if constexpr (requires { typename R::readings; })
+    return groups_exist<measured_axes_of<R>>(typename R::readings());
+  else return true;
 }
 
 }  // namespace detail
@@ -205,6 +219,14 @@ constexpr bool check() {
                     "robot.description: a joint of this robot has a motor and is not measured, so nobody "
                     "could command it; leave out `measured = false`, or the motor");
       if constexpr (measured) {
+        static_assert(
+            groups_exist<measured_axes_of<R>>(typename R::commands()) && readings_exist<R>(),
+            "robot.description: a port of this robot is over an axis that its body doesn't have, or "
+            "that is not measured; take it out of the space of that group, in `commands` or "
+            "`readings`");
+        static_assert(command_once(typename R::commands()),
+                      "robot.description: a joint of this robot is in two groups with the same kind of "
+                      "command; take it out of the space of one of them, in `commands`");
         if constexpr (HasMasses) check_masses<R>();
         check_places<R>();
       }

@@ -1,4 +1,4 @@
-// What an inertial unit reads, as numbers and as domain types.
+// What inertial units and feet read, as numbers and as domain types.
 //
 // Its orientation is a sample of cca::orientation<World>. Units: rad/s, m/s^2. The sensors are in
 // sensors.hpp.
@@ -38,6 +38,9 @@ struct angular_velocity : detail::sensor_numbers<cca::velocity> {};
 // Acceleration minus gravity, the reading of an accelerometer: upwards, 9.81 m/s^2 at rest.
 template <class Frame>
 struct specific_force : detail::sensor_numbers<linear_acceleration> {};
+
+// The vertical part of the ground's force on a foot, upwards; 0: no contact.
+struct foot_load : detail::sensor_numbers<cca::force> {};
 
 // Along the unit's own axes.
 struct inertial_reading {

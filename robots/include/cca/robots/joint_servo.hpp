@@ -6,7 +6,8 @@
 // moves at that speed from where the joint was; it runs ahead of the joint by no more than the motor's torque
 // can pull. The target of a continuous axis is the nearest one that means the same. Torque is added. Torque
 // alone: nothing else acts. A commanded damping also brakes without a
-// target. `has_command`: some command has come. Cost: some operations.
+// target. One that `holds` takes the angle of its first beat for its position until a command comes.
+// `has_command`: some command has come, or it holds. Cost: some operations.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +24,7 @@ struct servo_numbers {
   double stiffness = 0, damping = 0;  // N m/rad, N m s/rad
   double torque = 0, speed = 0;       // N m, rad/s, at most
   bool continuous = false;            // the axis turns without end
+  bool holds = false;
 };
 
 class joint_servo {
@@ -33,6 +35,7 @@ public:
       if (std::isfinite(now[kind])) last_[kind] = now[kind];
       else if (kind == torque && std::isfinite(last_[torque])) last_[torque] = 0;
 
+    if (servo.holds && !has_command()) last_[position] = angle;
     joint_law law;
     if (std::isfinite(last_[torque])) law.torque = last_[torque];
     const bool to_position = std::isfinite(last_[position]), at_speed = std::isfinite(last_[velocity]);

@@ -5,6 +5,7 @@
 //                      those in R::commands, each optional (commands.hpp)
 //   out  "angles"      angles<R>       rad        "velocities"  velocities<R>   rad/s
 //        "torques"     torques<R>      N m        and each sensor of R under its name
+//   or, instead of these, the groups of joints that R names (groups.hpp)
 //
 //   struct my_robot : cca::robots::graph_of_robot<R, "simulator", device, "simulator", joint_node> {};
 //
@@ -39,6 +40,54 @@ struct torques : cca::space<joint_torques, measured_axes_of<R>, typename R::rate
 template <class R, class Command>
 struct commanded : cca::space<typename Command::domain, measured_axes_of<R>, typename R::rate> {};
 
+namespace detail {
+
+template <class R, class Command>
+struct command_space {
+  using type = commanded<R, Command>;
+};
+template <class R, Grouped Command>
+struct command_space<R, Command> {
+  using type = typename Command::space;
+};
+
+template <class R>
+struct readings_of {
+  using type = readings<angles_of<"angles", angles<R>>,
+                        velocities_of<"velocities", velocities<R>>,
+                        torques_of<"torques", torques<R>>>;
+};
+template <class R>
+  requires requires { typename R::readings; }
+struct readings_of<R> {
+  using type = typename R::readings;
+};
+
+template <class R, class Axis, class Taken, class Commands>
+struct commands_of_joint;
+template <class R, class Axis, class... Taken>
+struct commands_of_joint<R, Axis, commands<Taken...>, commands<>> {
+  using type = commands<Taken...>;
+};
+template <class R, class Axis, class... Taken, class First, class... Rest>
+struct commands_of_joint<R, Axis, commands<Taken...>, commands<First, Rest...>>
+    : commands_of_joint<R,
+                        Axis,
+                        std::conditional_t<command_space<R, First>::type::axes::template contains<Axis>,
+                                           commands<Taken..., First>,
+                                           commands<Taken...>>,
+                        commands<Rest...>> {};
+
+}  // namespace detail
+
+template <class R, class Command>
+using command_space = typename detail::command_space<R, Command>::type;
+template <class R>
+using readings_of = typename detail::readings_of<R>::type;
+// Those that a joint takes.
+template <class R, class Axis>
+using commands_of_joint = typename detail::commands_of_joint<R, Axis, commands<>, typename R::commands>::type;
+
 // One joint: what is read from it, and the numbers of joint_commands.
 template <class R, class Axis>
 struct joint_readings : record_of<field<"angle", sub_space<angles<R>, Axis>>,
@@ -53,8 +102,9 @@ struct wanted_joint : cca::space<raw_commands, axes<Axis>, typename R::rate> {};
 
 // What a sensor reads.
 template <class R, class Sensor>
-struct sensed
-    : cca::space<typename Sensor::template domain<typename R::body>, axes<x, y, z>, typename R::rate> {};
+struct sensed : cca::space<typename Sensor::template domain<typename R::body>,
+                           typename Sensor::axes,
+                           typename R::rate> {};
 template <class R, class Sensor>
 using sensed_load = sensed<R, Sensor>;
 
@@ -82,15 +132,19 @@ struct command_wires<Command, axes<Axes...>> {
       items<wire<joined_name<Command::name, Axes::label>, joined_name<Axes::label, Command::name>>...>;
 };
 
+template <class Reading, class Axes>
+struct reading_wires;
+template <class Reading, class... Axes>
+struct reading_wires<Reading, axes<Axes...>> {
+  using type = items<wire<joined_name<Axes::label, Reading::of>, joined_name<Reading::name, Axes::label>>...>;
+};
+
 template <fixed_string Device, fixed_string Motors, class Axes>
 struct device_wires;
 template <fixed_string Device, fixed_string Motors, class... Axes>
 struct device_wires<Device, Motors, axes<Axes...>> {
-  using type = items<wire<joined_name<Device, Axes::label>, joined_name<Axes::label, "measured">>...,
-                     wire<joined_name<Axes::label, "angle">, joined_name<"angles", Axes::label>>...,
-                     wire<joined_name<Axes::label, "velocity">, joined_name<"velocities", Axes::label>>...,
-                     wire<joined_name<Axes::label, "torque">, joined_name<"torques", Axes::label>>...,
-                     wire<joined_name<Axes::label, "wanted">, joined_name<Motors, Axes::label>>...>;
+  using in = items<wire<joined_name<Device, Axes::label>, joined_name<Axes::label, "measured">>...>;
+  using out = items<wire<joined_name<Axes::label, "wanted">, joined_name<Motors, Axes::label>>...>;
 };
 
 template <class R,
@@ -99,6 +153,7 @@ template <class R,
           fixed_string Motors,
           template <class> class Joint,
           class Commands,
+          class Readings,
           class Sensors,
           class... More>
 struct robot_graph;
@@ -108,24 +163,34 @@ template <class R,
           fixed_string Motors,
           template <class> class Joint,
           class... Commands,
+          class... Readings,
           class... Sensors,
           class... More>
-struct robot_graph<R, Name, Device, Motors, Joint, commands<Commands...>, sensors<Sensors...>, More...> {
+struct robot_graph<R,
+                   Name,
+                   Device,
+                   Motors,
+                   Joint,
+                   commands<Commands...>,
+                   readings<Readings...>,
+                   sensors<Sensors...>,
+                   More...> {
   using own_axes = measured_axes_of<R>;
-  using type = graph_of<items<typename R::rate, node<Name, Device>>,
-                        joint_nodes<Joint, own_axes>,
-                        items<node<Commands::name, optional_splitter<commanded<R, Commands>>, full_speed>...,
-                              node<"angles", collector<"whole", angles<R>>, moderate>,
-                              node<"velocities", collector<"whole", velocities<R>>, moderate>,
-                              node<"torques", collector<"whole", torques<R>>, moderate>>,
-                        typename command_wires<Commands, own_axes>::type...,
-                        typename device_wires<Name, Motors, own_axes>::type,
-                        More...,
-                        items<expose<joined_name<Commands::name, "whole">, Commands::name>...,
-                              expose<"angles.whole", "angles">,
-                              expose<"velocities.whole", "velocities">,
-                              expose<"torques.whole", "torques">,
-                              expose<joined_name<Name, Sensors::name>, Sensors::name>...>>;
+  template <class Command>
+  using taken = robots::command_space<R, Command>;
+  using type =
+      graph_of<items<typename R::rate, node<Name, Device>>,
+               joint_nodes<Joint, own_axes>,
+               items<node<Commands::name, optional_splitter<taken<Commands>>, full_speed>...,
+                     node<Readings::name, collector<"whole", typename Readings::space>, moderate>...>,
+               typename command_wires<Commands, typename taken<Commands>::axes>::type...,
+               typename device_wires<Name, Motors, own_axes>::in,
+               typename reading_wires<Readings, typename Readings::space::axes>::type...,
+               typename device_wires<Name, Motors, own_axes>::out,
+               More...,
+               items<expose<joined_name<Commands::name, "whole">, Commands::name>...,
+                     expose<joined_name<Readings::name, "whole">, Readings::name>...,
+                     expose<joined_name<Name, Sensors::name>, Sensors::name>...>>;
 };
 
 }  // namespace detail
@@ -143,6 +208,7 @@ using graph_of_robot = typename detail::robot_graph<std::enable_if_t<check_witho
                                                     Motors,
                                                     Joint,
                                                     typename R::commands,
+                                                    readings_of<R>,
                                                     sensors_of<R>,
                                                     More...>::type;
 

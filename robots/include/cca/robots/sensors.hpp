@@ -4,11 +4,13 @@
 //       cca::robots::force_sensor<"flange_load", "arm">,            // wrench: N m, then N
 //       cca::robots::orientation_sensor<"orientation", my_world>,   // unit quaternion, x y z w
 //       cca::robots::gyroscope<"angular_velocity">,                 // rad/s
-//       cca::robots::accelerometer<"acceleration", "head">>;        // m/s^2; 9.81 upwards at rest
+//       cca::robots::accelerometer<"acceleration", "head">,         // m/s^2; 9.81 upwards at rest
+//       cca::robots::foot_loads<"loads", my_feet, "leg_1", "leg_2">,    // N, upwards: an axis for each part
+//       cca::robots::foot_contacts<"contacts", my_feet, "leg_1", "leg_2">>;   // 1: it touches, 0: not
 //
 // A sensor sits where the part of its last argument ends, and reads along the axes of that frame. One of the
-// last three, without a part, sits in the origin of the base. `my_world` is the frame in which an orientation
-// is given: that in which the robot is put down, z up. Errors: robot.description.
+// inertial ones (the next three), without a part, sits in the origin of the base. `my_world` is the frame in
+// which an orientation is given: that in which the robot is put down, z up. Errors: robot.description.
 #pragma once
 
 #include <array>
@@ -24,7 +26,7 @@
 
 namespace cca::robots {
 
-enum class sensor_kind { load, orientation, angular_velocity, specific_force };
+enum class sensor_kind { load, orientation, angular_velocity, specific_force, foot_load, foot_contact };
 
 namespace detail {
 
@@ -47,6 +49,21 @@ struct sensor {
   static constexpr auto name = Name;
   static constexpr auto part = Part;
   static constexpr sensor_kind kind = Kind;
+  static constexpr std::array<std::string_view, 1> parts{Part.view()};
+  using axes = cca::axes<x, y, z>;
+};
+
+template <fixed_string Name, sensor_kind Kind, class Feet, fixed_string... Parts>
+struct sensor_of_feet {
+  static constexpr auto name = Name;
+  static constexpr fixed_string part = "";
+  static constexpr sensor_kind kind = Kind;
+  static constexpr std::array<std::string_view, sizeof...(Parts)> parts{Parts.view()...};
+  using axes = Feet;
+  static_assert(
+      Feet::count == static_cast<int>(sizeof...(Parts)),
+      "robot.description: a sensor of feet has more or fewer axes than parts; name one part for each "
+      "axis, in the same order");
 };
 
 }  // namespace detail
@@ -77,26 +94,60 @@ struct accelerometer : detail::sensor<Name, Part, sensor_kind::specific_force> {
   using domain = specific_force<detail::sensor_frame<Body, Part>>;
 };
 
+// Of all that is attached where the parts end: the vertical part of the world's force, and whether there is
+// one. They read contacts, as force sensors do.
+template <fixed_string Name, class Feet, fixed_string... Parts>
+struct foot_loads : detail::sensor_of_feet<Name, sensor_kind::foot_load, Feet, Parts...> {
+  template <class>
+  using domain = foot_load;
+};
+template <fixed_string Name, class Feet, fixed_string... Parts>
+struct foot_contacts : detail::sensor_of_feet<Name, sensor_kind::foot_contact, Feet, Parts...> {
+  template <class>
+  using domain = status;
+};
+
 template <class... Sensors>
 struct sensors {};
 
 template <class Sensor>
-inline constexpr bool is_inertial = Sensor::kind != sensor_kind::load;
+inline constexpr bool is_load = Sensor::kind == sensor_kind::load;
+template <class Sensor>
+inline constexpr bool is_of_feet =
+    Sensor::kind == sensor_kind::foot_load || Sensor::kind == sensor_kind::foot_contact;
+template <class Sensor>
+inline constexpr bool is_inertial = !is_load<Sensor> && !is_of_feet<Sensor>;
 
 namespace detail {
 
 template <class... All>
 constexpr std::size_t load_count(sensors<All...>) {
-  return (std::size_t{!is_inertial<All>} + ... + 0);
+  return (std::size_t{is_load<All>} + ... + 0);
 }
 
 template <class Sensor, class... All>
 constexpr std::size_t place_among_loads(sensors<All...>) {
   std::size_t place = 0;
   bool found = false;
-  ((found = found || std::is_same_v<All, Sensor>, place += !found && !is_inertial<All> ? 1 : 0), ...);
+  ((found = found || std::is_same_v<All, Sensor>, place += !found && is_load<All> ? 1 : 0), ...);
   return place;
 }
+
+template <class... All>
+constexpr std::size_t feet_count(sensors<All...>) {
+  std::size_t most = 0;
+  ((most = is_of_feet<All> && All::parts.size() > most ? All::parts.size() : most), ...);
+  return most;
+}
+
+// The parts of a sensor, by number.
+template <class Sensor, class Body>
+inline constexpr auto parts_of_sensor = [] {
+  std::array<std::size_t, Sensor::parts.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = static_cast<std::size_t>(part_index<Body>(Sensor::parts[i]));
+  return all;
+}();
 
 // Inertial sensors of one part are one unit. The part of each unit, in the order in which they first occur.
 template <class... All>

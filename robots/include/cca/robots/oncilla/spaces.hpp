@@ -18,11 +18,9 @@ struct world_frame {};  // x forward at the start, z up
 struct trunk_frame {};  // x forward, y left, z up, in the trunk's centre
 
 using robots::angular_velocity;
+using robots::foot_load;
 using robots::linear_acceleration;
 using robots::specific_force;
-
-// The vertical part of the ground's force on a foot; 0: no contact.
-struct foot_load : robots::detail::sensor_numbers<cca::force> {};
 
 // The whole robot.
 struct leg_angles : cca::space<cca::joint_angles, leg_axes, robot_rate> {};

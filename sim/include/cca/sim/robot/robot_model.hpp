@@ -146,10 +146,10 @@ std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
     return part < 0 ? place_on_link{} : m.ends[static_cast<std::size_t>(part)];
   };
   std::vector<int> sensed_parts;
-  [[maybe_unused]] const auto keep = [&](bool inertial, std::string_view part) {
-    if (!inertial) sensed_parts.push_back(part_index<Body>(part));
+  [[maybe_unused]] const auto keep = [&](bool load, std::string_view part) {
+    if (load) sensed_parts.push_back(part_index<Body>(part));
   };
-  (keep(robots::is_inertial<Sensors>, Sensors::part.view()), ...);
+  (keep(robots::is_load<Sensors>, Sensors::part.view()), ...);
   for (const int part : sensed_parts) m.sensors.push_back(end_of(part));
   const robots::detail::inertial_units<Sensors...> units;
   [[maybe_unused]] const auto name = [&]<class Sensor>(std::type_identity<Sensor>) {
@@ -157,7 +157,7 @@ std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
     if constexpr (robots::is_inertial<Sensor>) {
       m.names.inertial.push_back(label);
       m.unit_of.push_back(static_cast<int>(robots::detail::unit_of<Sensor>(robots::sensors<Sensors...>())));
-    } else {
+    } else if constexpr (robots::is_load<Sensor>) {
       m.names.sensors.push_back(label);
     }
   };

@@ -30,16 +30,17 @@ struct robot_state {
   std::vector<joint_law> laws;               // over the coordinates
   std::vector<joint_reading> joints;         // over the coordinates; torques are means over the beat
   std::vector<std::array<double, 6>> loads;  // of the force sensors: torque, then force; means over the beat
-  std::vector<cable_winch> winches;          // over the coordinates
-  std::vector<inertial_reading> inertial;    // of the inertial units; forces are means over the beat
-  std::vector<outer_load> pulls;             // at the ends of the parts
-  std::array<double, 3> push{};              // N on the base, in the world, until it is set again
-  std::vector<contact_account> contacts;     // of the robot's shapes
-  double positive_work = 0;                  // J, mechanical work of the motors, without braking
-  double absolute_work = 0;                  // J, the same, with braking counted as work
-  double parallel_error = 0;                 // rad, the largest so far of links that are held parallel
-  std::vector<double> pressing;              // N, of each pair of shapes
-  std::vector<std::array<double, 7>> boxes;  // translation, then rotation
+  std::vector<std::array<double, 3>> end_forces;  // N, of the contacts at the ends of the parts; means
+  std::vector<cable_winch> winches;               // over the coordinates
+  std::vector<inertial_reading> inertial;         // of the inertial units; forces are means over the beat
+  std::vector<outer_load> pulls;                  // at the ends of the parts
+  std::array<double, 3> push{};                   // N on the base, in the world, until it is set again
+  std::vector<contact_account> contacts;          // of the robot's shapes
+  double positive_work = 0;                       // J, mechanical work of the motors, without braking
+  double absolute_work = 0;                       // J, the same, with braking counted as work
+  double parallel_error = 0;                      // rad, the largest so far of links that are held parallel
+  std::vector<double> pressing;                   // N, of each pair of shapes
+  std::vector<std::array<double, 7>> boxes;       // translation, then rotation
   std::int64_t beats = 0;
   world_trouble trouble{};  // then it stands still
 
@@ -51,7 +52,7 @@ struct robot_state {
       for (std::size_t i = 0; i < all.size() * sizeof(all[0]); ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
     };
     add(bodies), add(laws), add(joints), add(loads), add(winches), add(inertial), add(pulls), add(pressing),
-        add(boxes), add(push), add(contacts);
+        add(boxes), add(push), add(contacts), add(end_forces);
     add(std::array{positive_work, absolute_work, parallel_error});
     add(std::array<std::int64_t, 1>{beats});
     return h;

@@ -116,6 +116,7 @@ public:
     units_.begin(tree_);
     for (joint_reading& r : state_.joints) r.torque = 0;
     for (auto& load : state_.loads) load.fill(0);
+    for (auto& force : state_.end_forces) force.fill(0);
     for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step();
     if (!state_.trouble) units_.read(tree_, state_.inertial);
     ++state_.beats;
@@ -158,6 +159,9 @@ public:
   const std::array<double, 6>& load(std::string_view sensor) const {
     return load(index_of(model_->names.sensors, sensor, "force sensor"));
   }
+
+  // Of the world on all shapes at the end of a part, along the world's axes: N, a mean over the beat.
+  const std::array<double, 3>& force_on_end(std::size_t part) const { return state_.end_forces.at(part); }
 
   const inertial_reading& inertial(std::size_t unit) const { return state_.inertial.at(unit); }
   const inertial_reading& inertial(std::string_view sensor) const {
@@ -264,6 +268,7 @@ private:
     state_.inertial.assign(units_.count(), {});
     state_.pulls.assign(model_->ends.size(), {});
     state_.contacts.assign(model_->shapes.size(), {});
+    state_.end_forces.assign(model_->ends.size(), {});
     const std::vector<double> rest(model_->drives.size(), 0.0);
     place(model_->start, rest);
   }
@@ -307,7 +312,7 @@ private:
     if (state_.trouble) return;
     for (contact_account& c : state_.contacts) c.begin_step();
     touching_.account(state_.pressing, [&](const touch& t) {
-      feel(*model_, tree_, t, share, state_.loads);
+      feel(*model_, tree_, t, share, state_);
       state_.contacts[t.shape].add(t, step_);
     });
     dJointGroupEmpty(engine_.contacts());

@@ -69,10 +69,10 @@ public:
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t c = coordinate[i];
       const robots::joint_drive& d = world_.model().drives[c];
-      laws[c] = servos_[i].follow(
-          commands[i],
-          {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed, turns_without_end[i]},
-          world_.joints()[c].angle, world_.model().beat);
+      laws[c] = servos_[i].follow(commands[i],
+                                  {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed,
+                                   turns_without_end[i], d.holds},
+                                  world_.joints()[c].angle, world_.model().beat);
     }
     is_driven_ = true;
     push();
@@ -133,16 +133,31 @@ private:
   template <class Sensor>
   out<Sensor::name, robots::sensed<R, Sensor>> reading(std::type_identity<Sensor>) const {
     using vector = typename robots::sensed<R, Sensor>::vector_type;
-    return vector(vector::Map(numbers_of<Sensor>().data()));
+    const auto& numbers = numbers_of<Sensor>();
+    return vector(vector::Map(numbers.data()));
   }
   template <class Sensor>
-  const auto& numbers_of() const {
+  decltype(auto) numbers_of() const {
     using all = robots::sensors<Sensors...>;
-    if constexpr (Sensor::kind == robots::sensor_kind::load) {
+    if constexpr (robots::is_of_feet<Sensor>) {
+      return feet<Sensor>();
+    } else if constexpr (Sensor::kind == robots::sensor_kind::load) {
       return world_.load(robots::detail::place_among_loads<Sensor>(all()));
     } else {
       return robots::detail::share_of<Sensor>(world_.inertial(robots::detail::unit_of<Sensor>(all())));
     }
+  }
+
+  template <class Sensor>
+  auto feet() const {
+    constexpr auto ends = robots::detail::parts_of_sensor<Sensor, typename R::body>;
+    std::array<double, ends.size()> all;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const std::array<double, 3>& force = world_.force_on_end(ends[i]);
+      const bool touches = force != std::array<double, 3>{};
+      all[i] = Sensor::kind == robots::sensor_kind::foot_load ? force[2] : touches ? 1.0 : 0.0;
+    }
+    return all;
   }
 
   robot_world world_{model_of<R>()};

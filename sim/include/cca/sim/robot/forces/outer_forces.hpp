@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <cca/sim/robot/robot_state.hpp>
@@ -31,19 +32,19 @@ inline void pull_at_ends(const robot_model& model,
   }
 }
 
-// At the place where the sensor was when the contact was found, up to one physics step. `share`: of the step
-// in the beat.
-inline void feel(const robot_model& model,
-                 const tree_in_engine& tree,
-                 const touch& t,
-                 double share,
-                 std::vector<std::array<double, 6>>& loads) {
-  const int sensor = model.shapes[t.shape].sensor;
+// Loads: at the place where the sensor was when the contact was found, up to one physics step. `share`: of
+// the step in the beat.
+inline void feel(
+    const robot_model& model, const tree_in_engine& tree, const touch& t, double share, robot_state& state) {
+  const auto [sensor, end] = std::pair(model.shapes[t.shape].sensor, model.shapes[t.shape].end);
+  if (end >= 0)
+    for (std::size_t k = 0; k < 3; ++k)
+      state.end_forces[static_cast<std::size_t>(end)][k] += share * t.force[static_cast<Eigen::Index>(k)];
   if (sensor < 0) return;
   const rigid f = tree.at(model.sensors[static_cast<std::size_t>(sensor)]).where;
   const Eigen::Vector3d torque = f.turn.transpose() * cca::detail::cross(t.at - f.at, t.force),
                         force = f.turn.transpose() * t.force;
-  auto& load = loads[static_cast<std::size_t>(sensor)];
+  auto& load = state.loads[static_cast<std::size_t>(sensor)];
   for (std::size_t k = 0; k < 3; ++k) {
     load[k] += share * torque[static_cast<Eigen::Index>(k)];
     load[3 + k] += share * force[static_cast<Eigen::Index>(k)];
