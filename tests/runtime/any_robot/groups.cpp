@@ -177,7 +177,7 @@ TEST_SUITE("groups of joints") {
       const walk w = walked_in(simulator.world(), 8, [&] { REQUIRE(c.step()); });
       MESSAGE(ground.name(), ": ", w.speed, " m/s, slip ", w.slip, std::string(w.fell ? ", fell" : ""));
       CHECK(!w.fell);
-      CHECK(w.speed > 0.6);
+      CHECK(w.speed > 0.5);  // three pushes in six seconds
       CHECK(w.slip < 0.15);
     }
   }
