@@ -49,6 +49,11 @@ inline double mass_of(dBodyID body) {
   return m.mass;
 }
 
+// Mass times position, kg m.
+inline Eigen::Vector3d moment_of(dBodyID body) {
+  return mass_of(body) * Eigen::Vector3d::Map(dBodyGetPosition(body));
+}
+
 inline double kinetic_energy(dBodyID body) {
   dMass m;
   dBodyGetMass(body, &m);

@@ -12,7 +12,7 @@
 #include <cca/robots/inertial.hpp>
 #include <cca/sim/robot/body_state.hpp>
 #include <cca/sim/robot/cable_winch.hpp>
-#include <cca/sim/robot/contact_account.hpp>
+#include <cca/sim/robot/forces/contact_account.hpp>
 #include <cca/sim/robot/joint_law.hpp>
 #include <cca/sim/robot/plausible.hpp>
 

@@ -125,11 +125,8 @@ public:
   // A force and a torque at the end of a part (in order of declaration), along the world's axes, until they
   // are set again.
   void pull(std::size_t part, const Eigen::Vector3d& force, const Eigen::Vector3d& torque = {0, 0, 0}) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      if (std::isfinite(force[i])) state_.pulls.at(part).force[k] = force[i];
-      if (std::isfinite(torque[i])) state_.pulls.at(part).torque[k] = torque[i];
-    }
+    take_finite(state_.pulls.at(part).force, force);
+    take_finite(state_.pulls.at(part).torque, torque);
   }
 
   void pull(std::string_view part, const Eigen::Vector3d& force, const Eigen::Vector3d& torque = {0, 0, 0}) {
@@ -137,10 +134,7 @@ public:
   }
 
   // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
-  void push(const Eigen::Vector3d& force) {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (const double f = force[static_cast<Eigen::Index>(k)]; std::isfinite(f)) state_.push[k] = f;
-  }
+  void push(const Eigen::Vector3d& force) { take_finite(state_.push, force); }
 
   // Puts a box of the scene elsewhere.
   void move(std::size_t box, const placement& where) { shapes_.put_box(box, where); }
@@ -179,15 +173,9 @@ public:
   Eigen::Vector3d ball_velocity(std::size_t i) const {
     return Eigen::Vector3d::Map(dBodyGetLinearVel(shapes_.balls().at(i)));
   }
-  double mass() const {
-    double sum = 0;
-    each_link([&](dBodyID b) { sum += mass_of(b); });
-    return sum;
-  }
+  double mass() const { return sum_of_links(0.0, &mass_of); }
   Eigen::Vector3d centre_of_mass() const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    each_link([&](dBodyID b) { sum += mass_of(b) * Eigen::Vector3d::Map(dBodyGetPosition(b)); });
-    return sum / mass();
+    return sum_of_links(Eigen::Vector3d(0, 0, 0), &moment_of) / mass();
   }
 
   // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
@@ -209,9 +197,8 @@ public:
 
   // Of the robot alone, J: kinetic, and potential from the height of the world's origin.
   double energy() const {
-    double sum = 0;
-    each_link([&](dBodyID b) { sum += kinetic_energy(b) + potential_energy(b, settings_.engine.gravity); });
-    return sum;
+    return sum_of_links(
+        0.0, [&](dBodyID b) { return kinetic_energy(b) + potential_energy(b, settings_.engine.gravity); });
   }
   // In springs and cables between points and in the springs of joints, J.
   double spring_energy() const {
@@ -287,6 +274,11 @@ private:
     if (tree_.base()) f(tree_.base());
     for (const dBodyID b : tree_.links())
       if (b) f(b);  // none where joints cross
+  }
+  template <class Sum, class F>
+  Sum sum_of_links(Sum sum, F f) const {
+    each_link([&](dBodyID b) { sum += f(b); });
+    return sum;
   }
   template <class F>
   void each_body(F f) const {

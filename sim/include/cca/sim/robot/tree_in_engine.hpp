@@ -28,9 +28,9 @@
 
 #include <cca/robots/crossing.hpp>
 #include <cca/sim/engine.hpp>
-#include <cca/sim/robot/crossing_joints.hpp>
-#include <cca/sim/robot/engine_joint.hpp>
-#include <cca/sim/robot/link_in_engine.hpp>
+#include <cca/sim/robot/tree/crossing_joints.hpp>
+#include <cca/sim/robot/tree/engine_joint.hpp>
+#include <cca/sim/robot/tree/link_in_engine.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 
 namespace cca::sim {

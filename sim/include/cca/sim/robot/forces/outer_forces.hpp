@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -12,6 +13,12 @@
 #include <cca/sim/robot/tree_in_engine.hpp>
 
 namespace cca::sim {
+
+// What is not finite is ignored.
+inline void take_finite(std::array<double, 3>& kept, const Eigen::Vector3d& wanted) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const double f = wanted[static_cast<Eigen::Index>(k)]; std::isfinite(f)) kept[k] = f;
+}
 
 // For the next step: on the centre of mass of the base, if it floats.
 inline void push_base(const tree_in_engine& tree, const std::array<double, 3>& force) {
