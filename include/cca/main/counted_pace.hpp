@@ -39,7 +39,7 @@ public:
   }
   // False: without a clock there is no speed.
   bool set_speed(double factor) { return clock && clock->set_speed(factor); }
-  bool dozes(std::int64_t period, std::int64_t a_while) { return clock && clock->dozes(period, a_while); }
+  bool dozes(std::int64_t period, std::int64_t nap) { return clock && clock->dozes(period, nap); }
   cca::fault fault() const { return clock ? clock->fault() : cca::fault(); }
   std::int64_t last_begun() const { return clock ? clock->last_begun() : at_speed::never_begun; }
   std::int64_t duration_of(std::int64_t time) const { return clock ? clock->duration_of(time) : 0; }

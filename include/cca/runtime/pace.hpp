@@ -105,11 +105,11 @@ public:
 
   // Sleeps a while if the next beat is farther off than that. False: it is not, and this returns at once. So
   // a run whose beats are far apart can be ended in between, and its speed be changed.
-  bool dozes(std::int64_t virtual_period, std::int64_t a_while) {
+  bool dozes(std::int64_t virtual_period, std::int64_t nap) {
     const std::int64_t now = clock.now();
     const std::int64_t due = begun == never_begun ? start : later(begun, duration_of(virtual_period));
-    if (due - now <= a_while) return false;
-    clock.sleep_until(now + a_while);
+    if (due - now <= nap) return false;
+    clock.sleep_until(now + nap);
     return true;
   }
 
