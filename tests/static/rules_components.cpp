@@ -472,7 +472,9 @@ struct no_strategy_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<no_strategy, no_strategy_mended>(
     {"strategy.no_fires", "a",
      "`a` (source<>) has the strategy `signal`, which cannot say when it fires: use one like cca::timed<10> "
-     "or cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, const Inputs&)`"}));
+     "or cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, const Inputs&)` "
+     "(not "
+     "static if it has a state) and a constructor without arguments"}));
 
 struct fires_by_beat_only {
   static bool fires(cca::beat) { return true; }
@@ -489,7 +491,7 @@ static_assert(tells<no_template_strategy, no_template_strategy_mended>(
     {"strategy.no_fires", "b",
      "`b` (sink<>) has the strategy `fires_by_beat_only`, which cannot say when it fires: use one like "
      "cca::timed<10> or cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, "
-     "const Inputs&)`"}));
+     "const Inputs&)` (not static if it has a state) and a constructor without arguments"}));
 
 // A component, and not even that, in place of a graph.
 static_assert(!cca::well_formed<nothing> && !cca::well_formed<int>);

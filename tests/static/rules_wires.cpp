@@ -119,6 +119,14 @@ static_assert(tells<bound_of_nothing, bound_of_nothing_mended>(
      "cca::latency<`a.y`, `b.z`> in bound_of_nothing names `b.z`, but `b` (sink<>) has no such input; did "
      "you mean `b.x`?"}));
 
+struct into_source : khz<cca::node<"a", source<>>, cca::node<"b", source<>>, cca::wire<"a.y", "b.command">> {
+};
+struct into_source_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
+static_assert(tells<into_source, into_source_mended>(
+    {"wire.unknown_port", "a.y -> b.command",
+     "the wire `a.y` -> `b.command` in into_source names `b.command`, but `b` (source<>) has no such input: "
+     "it has no inputs at all"}));
+
 struct reversed : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"b.x", "a.y">> {};
 struct reversed_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
 static_assert(tells<reversed, reversed_mended>(

@@ -50,6 +50,11 @@ template <class Vector, int Size> concept Unfit =
 // An enumerator that is no number by itself.
 template <class Type> concept Enumerator = std::is_enum_v<Type> && !std::is_convertible_v<Type, double>;
 
+// Converts to a number, as a parameter that is cca::bounded does.
+template <class Type> concept HoldsNumber = std::is_class_v<Type> &&
+                                            std::is_convertible_v<const Type&, double> &&
+                                            !requires { Type::SizeAtCompileTime; };
+
 // Of a space that neither is that of the output nor renames it.
 template <class Other, class Space> concept Foreign = !std::is_same_v<Other, Space> && !Renames<Other, Space>;
 
@@ -132,7 +137,8 @@ private:
   bool wired = false;
 };
 
-// An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates
+// An output, made from a vector, from a number (a parameter, too) where the space has one axis, or filled by
+// axis. It originates
 // at the oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
 template <fixed_string Name, class Space>
 class out {
@@ -153,6 +159,9 @@ public:
   {
     coordinates[0] = number;
   }
+  template <detail::HoldsNumber Number>
+    requires(space::size == 1)
+  constexpr out(const Number& number) : out(static_cast<double>(number)) {}
   template <class Vector>
     requires detail::Unfit<Vector, space::size>
   constexpr out(const Eigen::MatrixBase<Vector>&) {
@@ -208,6 +217,9 @@ public:
   constexpr maybe(double number)
     requires(maybe::space::size == 1)
       : out<Name, Space>(number), published(true) {}
+  template <detail::HoldsNumber Number>
+    requires(maybe::space::size == 1)
+  constexpr maybe(const Number& number) : maybe(static_cast<double>(number)) {}
   template <class Vector>
     requires detail::Unfit<Vector, maybe::space::size>
   constexpr maybe(const Eigen::MatrixBase<Vector>&) {

@@ -102,6 +102,13 @@ public:
   void observed(F) const {}
   template <class F>
   void for_each_component(F) const {}
+  template <class F>
+  void for_each_queue(F) const {}
+  template <fixed_string>
+  std::int64_t dropped() const {
+    return 0;
+  }
+  std::int64_t dropped(std::string_view = {}) const { return 0; }
 };
 
 // `check<G>()`: true for a sound graph, deployment or set of modes; any other does not compile. It is the

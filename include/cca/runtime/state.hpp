@@ -5,15 +5,14 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <type_traits>
 #include <utility>
 
 #include <cca/base/array_size.hpp>
-#include <cca/component/parameter_check.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/graph/recordable.hpp>
 #include <cca/runtime/samples/arriving_samples.hpp>
+#include <cca/runtime/samples/kept_component.hpp>
 #include <cca/runtime/samples/queued_samples.hpp>
 #include <cca/runtime/samples/stored_samples.hpp>
 #include <cca/runtime/tracing/trace_link.hpp>
@@ -27,23 +26,6 @@ inline constexpr bool runs_in_cycles = false;
 
 // ---- components ----
 
-template <class Component>
-struct kept_component {
-  static_assert(std::is_default_constructible_v<Component>,
-                "cca::controller: a component starts from its default values, so it needs a constructor "
-                "without arguments; what differs between nodes is "
-                "a template argument or one of its `parameters`");
-  [[no_unique_address]] Component component;
-};
-// One that may leave parameters without a value: load() shall see which.
-template <MayLeaveUnset Component>
-  requires std::is_default_constructible_v<Component>
-struct kept_component<Component> {
-  [[no_unique_address]] parameters_marked before;
-  [[no_unique_address]] Component component;
-  kept_component() : before(std::addressof(component)) { forget_content(std::addressof(component)); }
-};
-
 // All components of the type of node `First`, which is the first of them.
 template <class Component, int Count>
 struct components_of_type {
@@ -53,7 +35,7 @@ struct components_of_type {
 };
 // Those without state are one and the same.
 template <class Component, int Count>
-  requires std::is_empty_v<Component>
+  requires(std::is_empty_v<Component> && std::is_default_constructible_v<Component>)
 struct components_of_type<Component, Count> {
   [[no_unique_address]] Component one;
   components_of_type() : one() {}

@@ -31,6 +31,19 @@ struct optional : cca::graph<cca::rate<1000>,
                              cca::wire<"counter.y", "without.x">,
                              cca::wire<"counter.y", "moderate.x">> {};
 
+struct tuned {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::bounded<double, 0, 10>, gain),
+                             (cca::quantity<cca::angle, -1, 1>, offset));
+  };
+  parameters p{3.5, 0.5};
+  auto process() const -> cca::out<"y", reading> { return p.gain; }
+  auto both() const -> std::tuple<cca::out<"y", reading>, cca::maybe<"z", reading>> {
+    return {p.gain, p.offset};
+  }
+};
+
 struct odd {
   auto process(cca::beat now) -> std::tuple<cca::maybe<"odd", reading>, cca::out<"all", reading>> {
     std::tuple<cca::maybe<"odd", reading>, cca::out<"all", reading>> y;
@@ -154,6 +167,18 @@ TEST_SUITE("ports") {
     CHECK_EQ(zero.vector().norm(), 1);  // the identity
     REQUIRE_EQ(c.get<"facing">().all.size(), 4);
     for (const auto& q : c.get<"facing">().all) CHECK_EQ(q, zero.vector());
+  }
+
+  TEST_CASE("a parameter with a range or a unit is published as it is") {
+    tuned t;
+    CHECK(t.process().vector()[0] == 3.5);
+    t.p.gain = 4.5;
+    t.p.offset = 0.25;
+    CHECK(t.process().vector()[0] == 4.5);
+    const auto [y, z] = t.both();
+    CHECK(y.vector()[0] == 4.5);
+    CHECK(z.vector()[0] == 0.25);
+    CHECK(static_cast<bool>(z));
   }
 
   TEST_CASE("an optional input") {

@@ -27,6 +27,8 @@ struct observe_nothing {
     m.say() << ", so it would hear nothing";
     const text nearest = nearest_pattern(m.g, wrong, m.found().scope, observer);
     if (nearest.size > 0) m.say() << "; did you mean `" << nearest.view() << "`?";
+    else if (wrong.find('/', 1) != wrong.npos)
+      m.say() << ": names are joined by dots, and a `/` may only be the first letter, as in `/dmp.status.*`";
     else
       m.say()
           << ": write the path of a port from the nodes of one of these graphs on, as in `node.port`; `*` "

@@ -15,9 +15,13 @@ struct strategy_no_fires {
   static constexpr void tell(auto& m) {
     m.at_node();
     m.node();
-    m.say() << " has the strategy `" << m.item().unknown_type
-            << "`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or give it "
-               "`template <class Inputs> static bool fires(cca::beat, const Inputs&)`";
+    m.say() << " has the strategy `" << m.item().unknown_type << "`, which cannot say when it fires: ";
+    if (m.item().unknown_type.ends_with("free_running"))
+      m.say() << "it is an option of an environment; the nodes in that are cca::full_speed";
+    else
+      m.say() << "use one like cca::timed<10> or cca::moderate, or give it `template <class Inputs> static "
+                 "bool fires(cca::beat, const Inputs&)` (not static if it has a state) and a constructor "
+                 "without arguments";
   }
 };
 

@@ -34,9 +34,36 @@ struct wire_unknown_port {
     auto best = nearest_port(m.graph(), wrong, !m.found().at_reader);
     if (best.size == 0 && item.kind == item_kind::expose) best = nearest_port(m.graph(), wrong, false);
     if (best.size > 0) m.say() << "; did you mean `" << best.view() << "`?";
+    else if (node && first != wrong)
+      tell_ports(m, *node, !m.found().at_reader, item.kind == item_kind::expose);
   }
 
 private:
+  // What a node has, where no name is near: of one side, or of both.
+  static constexpr void tell_ports(auto& m, const item_info& node, bool outputs, bool both) {
+    constexpr int most = 8;
+    int count = 0;
+    bool observes = false;
+    const auto add = [&](std::string_view port, bool is_output) {
+      if ((is_output != outputs && !both) || ++count > most) return;
+      m.say() << (count == 1 ? "; it has `" : ", `") << port << "`";
+    };
+    if (node.component)
+      for (const auto function : functions_of(*node.component)) {
+        for (int p = 0; function && p < function->input_count; ++p) {
+          if (function->inputs[p].space) add(function->inputs[p].name, false);
+          else observes = true;
+        }
+        for (int p = 0; function && p < function->output_count; ++p) add(function->outputs[p].name, true);
+      }
+    for (int e = 0; node.inner && e < node.inner->count; ++e)
+      if (const auto& inner = node.inner->items[e]; inner.kind == item_kind::expose)
+        add(inner.to, is_output_named(*node.inner, inner.from));
+    if (count > most) m.say() << " and others";
+    if (count == 0 && observes && !outputs) m.say() << ": what it observes comes without a wire";
+    else if (count == 0)
+      m.say() << ": it has no " << (both ? "ports" : outputs ? "outputs" : "inputs") << " at all";
+  }
   static constexpr void tell_item(auto& m) {
     if (m.item().kind == item_kind::wire) {
       m.say() << "the wire ";
