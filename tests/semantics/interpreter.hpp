@@ -396,7 +396,7 @@ public:
           if (in.wired() && !fresh(t, in)) return false;
         return true;
       case strategy::timeout:
-        return k - std::max<std::int64_t>(t.last_fired, 0) >= s.n;
+        return k - std::max<std::int64_t>(t.last_fired + (t.is_new ? 1 : 0), 0) >= s.n;
       case strategy::port_triggered:
         for (const std::string& name : s.names)
           if (fresh(t, named(t, name))) return true;

@@ -65,7 +65,12 @@ struct inputs_view<Graph, Call, std::integer_sequence<int, Position...>> {
     (join<Position>(common, all), ...);
     return all && common > self.oldest;
   }
-  CCA_INLINE std::int64_t beats_since_fired() const { return b.k - (self.last < 0 ? 0 : self.last); }
+  // Or since beat 0, or since its part was started.
+  CCA_INLINE std::int64_t beats_since_fired() const {
+    if constexpr (part_of_call_at<Graph, Call> >= 0)
+      if (self.is_first) return b.k - self.last - 1;
+    return b.k - (self.last < 0 ? 0 : self.last);
+  }
   // It is asked only while its part is started.
   CCA_INLINE static constexpr bool is_stopped() { return false; }
 

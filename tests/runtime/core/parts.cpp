@@ -140,6 +140,20 @@ TEST_SUITE("parts") {
     CHECK_EQ(move.seen, std::vector<double>{1, 1, 1, 21});
   }
 
+  TEST_CASE("a timeout begins anew with its part: after the start as after beat 0") {
+    struct patient
+        : cca::graph<cca::rate<1000>, cca::node<"source", source, cca::timed<100>>,
+                     cca::node<"late", noting, cca::stoppable<cca::any_of<cca::timeout<3>, cca::inactive>>>,
+                     cca::wire<"source.y", "late.x", cca::latest>> {};
+    auto c = running<cca::controller<patient>>();
+    c.run(cca::for_beats<8>{});
+    c.stop<"late">();
+    c.run(cca::for_beats<2>{});
+    c.start<"late">();
+    c.run(cca::for_beats<10>{});
+    CHECK_EQ(c.get<"late">().beats, beats{3, 6, 13, 16, 19});
+  }
+
   TEST_CASE("a part in a part has a life-cycle of its own") {
     struct outer : cca::graph<cca::node<"first", noting>, cca::node<"reach", reaching, cca::stoppable<>>,
                               cca::wire<"first.y", "reach.x">, cca::expose<"first.x", "x">,
