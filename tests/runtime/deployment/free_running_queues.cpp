@@ -87,6 +87,31 @@ struct flooded_apart
                       cca::environment<"flood", cca::nodes<"flood", "behind">, cca::free_running>,
                       cca::environment<"mind", cca::other_nodes>> {};
 
+// Whose cycles take twenty beats. It notes what it sees, and what had been lost by then.
+struct notes {
+  std::vector<double> seen{}, lost{};
+  void process(cca::in<"x", number> x) {
+    seen.push_back(x[cca::x{}]);
+    lost.push_back(static_cast<double>(x.dropped()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+};
+struct slowly_read : cca::graph<cca::rate<1000>,
+                                cca::node<"beats", counter>,
+                                cca::node<"cycles", counter, cca::full_speed>,
+                                cca::node<"a", notes, cca::full_speed>,
+                                cca::node<"b", notes, cca::full_speed>,
+                                cca::node<"c", notes, cca::full_speed>,
+                                cca::wire<"beats.y", "a.x", cca::queue<4, cca::drop_newest>>,
+                                cca::wire<"beats.y", "b.x", cca::queue<4>>,
+                                cca::wire<"cycles.y", "c.x", cca::queue<4, cca::drop_newest>>> {};
+struct slow_apart : cca::deployment<slowly_read,
+                                    cca::environment<"robot", cca::nodes<"beats">>,
+                                    cca::environment<"fast", cca::nodes<"cycles">, cca::free_running>,
+                                    cca::environment<"a", cca::nodes<"a">, cca::free_running>,
+                                    cca::environment<"b", cca::nodes<"b">, cca::free_running>,
+                                    cca::environment<"c", cca::nodes<"c">, cca::free_running>> {};
+
 struct cycles_of {
   explicit cycles_of(std::int64_t microseconds) { cycle_in_us = microseconds; }
   ~cycles_of() { cycle_in_us = 0; }
@@ -175,6 +200,28 @@ TEST_SUITE("deployed free-running queues") {
     play(apart, of_apart);
     REQUIRE_EQ(of_one.size(), of_apart.size());
     for (std::size_t i = 0; i < of_one.size(); ++i) CHECK_EQ(of_one[i], of_apart[i]);
+  }
+
+  TEST_CASE("in a wall-clock run a slow cycle loses what its policy says: the newest, or the oldest") {
+    cca::deployed<slow_apart> d;
+    d.load();
+    d.start();
+    d.run(cca::for_beats<400>{}, cca::at_wall_clock());
+    // Where the queue was full before a cycle, the first that came after it begins is the last of the four.
+    const auto keeps_the_first = [](const notes& one) {
+      REQUIRE_GT(one.seen.size(), 8);
+      for (std::size_t i = 3; i + 4 < one.seen.size(); ++i) {
+        CAPTURE(i);
+        if (one.lost[i] > one.lost[i - 1] && one.lost[i + 1] > one.lost[i])
+          CHECK_EQ(one.seen[i + 4], static_cast<double>(i + 5) + one.lost[i]);
+      }
+    };
+    keeps_the_first(d.get<"a">());
+    keeps_the_first(d.get<"c">());
+    const auto& b = d.get<"b">();
+    REQUIRE_GT(b.seen.size(), 8);
+    for (std::size_t i = 0; i < b.seen.size(); ++i)
+      CHECK_EQ(b.seen[i], static_cast<double>(i + 1) + b.lost[i]);
   }
 
   TEST_CASE("in a wall-clock run each sample of each cycle is taken, waits, or is counted as lost") {

@@ -232,13 +232,16 @@ private:
     for (const double value : one.vector) message.push_back(std::bit_cast<std::uint64_t>(value));
     return true;
   }
-  template <class Ring>
-  static void put_into(Ring& ring, std::span<const std::uint64_t> message) {
+  // keep(number, values, origin, beat): for queues that keep what came first.
+  template <class Ring, class Keep>
+  static void put_into(Ring& ring, std::span<const std::uint64_t> message, Keep keep) {
     decltype(Ring::sample::vector) values;
     for (int i = 0; i < values.size(); ++i)
       values[i] = std::bit_cast<double>(message[sample_message::head + cca::detail::array_size(i)]);
-    ring.put(values, static_cast<std::int64_t>(message[2]), sample_message::beat(message), false,
-             (message[1] & sample_message::is_repeated) != 0);
+    const auto origin = static_cast<std::int64_t>(message[2]);
+    const bool is_repeated = (message[1] & sample_message::is_repeated) != 0;
+    const std::uint64_t number = ring.put(values, origin, sample_message::beat(message), false, is_repeated);
+    if (!is_repeated) keep(number, values, origin, sample_message::beat(message));
   }
 
   // Where the first environment runs here it takes the results of cycles itself.
@@ -247,6 +250,15 @@ private:
     if (runs_first) return false;
     const std::int64_t beat = own.environments[0].begun.load(std::memory_order_relaxed);
     return std::get<results_on_the_way<D, E>>(sent).take(own.template results<E>(), beat, next, message);
+  }
+
+  template <int Number, bool IsGathered>
+  auto keep() {
+    return [this](std::uint64_t number, const auto& v, std::int64_t origin, std::int64_t k) {
+      if constexpr (cca::detail::most_waiting<D, Number> > 0)
+        if constexpr (IsGathered == cca::detail::is_gathered<D, Number>)
+          own.template keep<Number>(number, v, origin, k);
+    };
   }
 
   bool take([[maybe_unused]] std::size_t output,
@@ -265,9 +277,13 @@ private:
   void put([[maybe_unused]] std::size_t output,
            [[maybe_unused]] std::span<const std::uint64_t> message) override {
     [[maybe_unused]] std::size_t number = 0;
-    ((number++ == output ? put_into(own.template ring<Output>(), message) : void()), ...);
-    ((number++ == output ? put_into(own.template arrived<FreeOutput>(), message) : void()), ...);
-    ((number++ == output ? put_into(own.template gathered<Gathered>(), message) : void()), ...);
+    ((number++ == output ? put_into(own.template ring<Output>(), message, keep<Output, false>()) : void()),
+     ...);
+    ((number++ == output ? put_into(own.template arrived<FreeOutput>(), message, [](auto&&...) {}) : void()),
+     ...);
+    ((number++ == output ? put_into(own.template gathered<Gathered>(), message, keep<Gathered, true>())
+                         : void()),
+     ...);
     ((number++ == output ? results_on_the_way<D, Free>::put(own.template results<Free>(), message) : void()),
      ...);
   }

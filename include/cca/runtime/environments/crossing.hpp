@@ -225,6 +225,20 @@ inline constexpr int most_waiting = [] {
   return most;
 }();
 
+// The ways from one environment to another into a queue that keeps what came first.
+template <class D>
+struct keeps_first {
+  static constexpr bool holds(std::size_t i) {
+    auto plan = plan_of<D>;
+    const flat_view g = plan.view();
+    const input& in = g.inputs[i];
+    return is_queued(in) && in.wire->full == full_kind::drop_newest &&
+           environment_of(g, in.call) != environment_of(g, g.outputs[in.writer].call);
+  }
+};
+template <class D>
+using ways_that_keep = chosen<counts_of<D>.queue_count == 0 ? 0 : counts_of<D>.input_count, keeps_first<D>>;
+
 // Of a free-running environment: queues elsewhere take all samples that its cycles publish.
 template <class D, int Output>
 inline constexpr bool is_gathered = is_of_free_running<D, Output> && most_waiting<D, Output> > 0;

@@ -187,7 +187,9 @@ public:
     for (std::int64_t skipped = std::max<std::int64_t>(k - 1, 0); skipped < next; ++skipped) {
       repeat_outputs<graph>(state, index() + skipped - k);
       state.repeat_leaving(skipped);
-      if (state.is_exact) repeat_firings<D, E>(state, skipped);
+      if (!state.is_exact) continue;
+      repeat_firings<D, E>(state, skipped);
+      repeat_publications<D, E>(state, skipped, index() + skipped - k);
     }
     this->skip_indices(next);
     if (next > k) tell_skipped(k, next - k, !state.is_exact);

@@ -17,6 +17,7 @@
 #include <cca/runtime/environments/crossing.hpp>
 #include <cca/runtime/environments/free_running/cycle_results.hpp>
 #include <cca/runtime/environments/histogram.hpp>
+#include <cca/runtime/environments/queues/first_samples.hpp>
 #include <cca/runtime/environments/sample_ring.hpp>
 #include <cca/runtime/environments/waiting/bell.hpp>
 
@@ -59,6 +60,13 @@ template <class D, int Output>
 struct leaving_samples<D, Output> {
   ring_of_output<D, Output> ring, arrived;
   sample_ring<size_of_output<D, Output> + 1, gathered_capacity<D, Output>> gathered;
+};
+// Of a way into a queue that keeps what came first.
+template <class D, int Way>
+struct kept_on_way {
+  static constexpr int output = input_of<D, Way>.writer;
+  first_samples<size_of_output<D, output> + (is_gathered<D, output> ? 1 : 0), input_of<D, Way>.wire->capacity>
+      first;
 };
 template <class D, int E>
 struct leaving_results {
@@ -151,11 +159,17 @@ inline void add(std::atomic<std::int64_t>& number, std::int64_t some) noexcept {
   number.store(number.load(std::memory_order_relaxed) + some, std::memory_order_relaxed);
 }
 
-template <class D, class Outputs = all_that_leaves<D>, class Free = free_environments<D>>
+template <class D,
+          class Outputs = all_that_leaves<D>,
+          class Free = free_environments<D>,
+          class Keeping = ways_that_keep<D>>
 struct exchange;
-template <class D, int... Output, int... Free>
-struct exchange<D, std::integer_sequence<int, Output...>, std::integer_sequence<int, Free...>>
-    : leaving_samples<D, Output>..., leaving_results<D, Free>... {
+template <class D, int... Output, int... Free, int... Way>
+struct exchange<D,
+                std::integer_sequence<int, Output...>,
+                std::integer_sequence<int, Free...>,
+                std::integer_sequence<int, Way...>>
+    : leaving_samples<D, Output>..., leaving_results<D, Free>..., kept_on_way<D, Way>... {
   static constexpr std::int64_t calls_and_one = rejecting_entries<D> + counts_of<D>.order_count + 1;
   static constexpr std::int64_t position_of(std::int64_t beat, int done = 0) {
     return beat * calls_and_one + done;
@@ -169,6 +183,37 @@ struct exchange<D, std::integer_sequence<int, Output...>, std::integer_sequence<
   template <int Number>
   auto& ring() {
     return static_cast<leaving_samples<D, Number>&>(*this).ring;
+  }
+  // What came first on a way into a queue.
+  template <int Number>
+  auto& first_on_way() {
+    return static_cast<kept_on_way<D, Number>&>(*this).first;
+  }
+  // An output is published in beat k.
+  template <int Number, class Vector>
+  CCA_INLINE void put(const Vector& v, std::int64_t origin, std::int64_t k, bool is_exact) noexcept {
+    const std::uint64_t number = ring<Number>().put(v, origin, k, is_exact);
+    if constexpr (!is_gathered<D, Number>)
+      if (!is_exact) keep<Number>(number, v, origin, k);
+  }
+  // The same of a free-running environment, with its number as last coordinate.
+  template <int Number, class Vector>
+  void put_gathered(const Vector& v, std::int64_t origin, std::int64_t k) noexcept {
+    keep<Number>(gathered<Number>().put(v, origin, k), v, origin, k);
+  }
+  template <int Number, class Vector>
+  CCA_INLINE void keep([[maybe_unused]] std::uint64_t number,
+                       [[maybe_unused]] const Vector& v,
+                       [[maybe_unused]] std::int64_t origin,
+                       [[maybe_unused]] std::int64_t k) noexcept {
+    (keep_on_way<Number, Way>(number, v, origin, k), ...);
+  }
+  template <int Number, int OneWay, class Vector>
+  CCA_INLINE void keep_on_way([[maybe_unused]] std::uint64_t number,
+                              [[maybe_unused]] const Vector& v,
+                              [[maybe_unused]] std::int64_t origin,
+                              [[maybe_unused]] std::int64_t k) noexcept {
+    if constexpr (kept_on_way<D, OneWay>::output == Number) first_on_way<OneWay>().put(number, v, origin, k);
   }
   template <int Number>
   auto& gathered() {

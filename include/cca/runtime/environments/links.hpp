@@ -56,7 +56,7 @@ public:
   CCA_INLINE void send(const Vector& v, std::int64_t origin, std::int64_t k) {
     if constexpr (is_free)
       if (!is_exact) return shared->template results<E>().template put<Output>(v, origin);
-    shared->template ring<Output>().put(v, origin, beat_at(k), is_exact);
+    shared->template put<Output>(v, origin, beat_at(k), is_exact);
   }
 
   // When beat k begins: takes what was published before it, into the samples that the components read.

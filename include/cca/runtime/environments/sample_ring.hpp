@@ -43,13 +43,13 @@ public:
     bool is_repeated = false;
   };
 
-  // The writer's. `is_exact`: in a fast run.
+  // The writer's. `is_exact`: in a fast run. Returns the number of the sample.
   template <class Vector>
-  void put(const Vector& v,
-           std::int64_t origin,
-           std::int64_t k,
-           bool is_exact = false,
-           bool is_repeated = false) noexcept {
+  std::uint64_t put(const Vector& v,
+                    std::int64_t origin,
+                    std::int64_t k,
+                    bool is_exact = false,
+                    bool is_repeated = false) noexcept {
     const std::uint64_t number = count.load(std::memory_order_relaxed);
     slot& s = slots[index(number)];
     s.state.store(2 * number + 1, std::memory_order_relaxed);
@@ -61,6 +61,7 @@ public:
       for (int c = 0; c < Size; ++c) s.coordinate(c).store(double(v[c]), std::memory_order_release);
     s.state.store(2 * number + 2, std::memory_order_release);
     count.store(number + 1, std::memory_order_release);
+    return number;
   }
 
   // ---- a reader's ----

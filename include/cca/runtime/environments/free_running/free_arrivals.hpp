@@ -84,7 +84,7 @@ private:
     all.for_each_from(at.begins, [&](const auto& one) {
       ++came;
       numbered << one.vector(), static_cast<double>(one.number);
-      shared.template gathered<Number>().put(numbered, one.origin, k);
+      shared.template put_gathered<Number>(numbered, one.origin, k);
     });
     at.missing = all.end() - at.counted - came;
     at.from = at.counted = all.end();

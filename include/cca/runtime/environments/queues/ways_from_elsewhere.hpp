@@ -70,7 +70,7 @@ private:
     const auto& ring = state.shared->template ring<in.writer>();
     for (typename ring_type::sample one; !has_come && left > 0; --left) {
       const std::uint64_t expected = from.number;
-      const bool is_due = ring.take(from.number, end, one);
+      const bool is_due = take(ring, from.number, end, one);
       lose(from.number - expected - is_due);
       if (!is_due) return;
       from.newest = one.published_in;
@@ -83,13 +83,39 @@ private:
     auto& from = static_cast<next_by_way<D, Way, true>&>(state);
     const auto& ring = state.shared->template gathered<in.writer>();
     typename std::remove_cvref_t<decltype(ring)>::sample one;
-    if (left-- <= 0 || !ring.take(from.gathered, end, one)) return;
+    if (left-- <= 0 || !take(ring, from.gathered, end, one)) return;
     const auto number = static_cast<std::uint64_t>(one.vector[size]);
     if (from.gathered_number != from.unknown && number > from.gathered_number)
       lose(number - from.gathered_number);
     from.gathered_number = number + 1;
     come(one.published_in, one.origin, one.vector.template head<size>());
   }
+  // The next of a ring. Where that has lost some to a reader that stood still, a queue which keeps the first
+  // finds these beside it.
+  template <class Ring, class Sample>
+  bool take(const Ring& ring, std::uint64_t& number, std::int64_t end, Sample& one) {
+    if constexpr (keeps_first<D>::holds(std::size_t{Way}) && has_first<Ring>) {
+      std::uint64_t next = number;
+      const bool is_due = ring.take(next, end, one);
+      const auto* const first = state.shared->template first_on_way<Way>().oldest_from(number);
+      if (!first || first->number >= next - is_due) return number = next, is_due;
+      if (first->published_in >= end) return false;
+      number = first->number + 1;
+      one.published_in = first->published_in;
+      one.origin = first->origin;
+      one.vector = first->vector();
+      return true;
+    } else {
+      return ring.take(number, end, one);
+    }
+  }
+  // They are those of a wall-clock run.
+  template <class Ring>
+  static constexpr bool has_first = [] {
+    constexpr int coordinates = decltype(Ring::sample::vector)::RowsAtCompileTime;
+    return coordinates == size + (is_gathered<D, in.writer> ? 1 : 0);
+  }();
+
   template <class Vector>
   void come(std::int64_t published_in, std::int64_t origin, const Vector& v) {
     came.published_in = published_in;
