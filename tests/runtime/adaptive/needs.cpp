@@ -100,6 +100,31 @@ TEST_SUITE("the parts that a step needs") {
     CHECK_FALSE(c.template is_stopped<"walk">());
   }
 
+  TEST_CASE("a part in another one needs that, too") {
+    struct nested : cca::steps<cca::step<"all", cca::needs<"body">>,
+                               cca::step<"arm", cca::after<10>, cca::needs<"body.arm">>,
+                               cca::step<"none", cca::after<10>>> {};
+    struct holder {
+      auto process(cca::beat now) -> decltype(nested::asks(0)) {
+        steps.update(now);
+        return steps.asks();
+      }
+      cca::sequence<nested> steps;
+    };
+    struct body : cca::graph<cca::node<"arm", counting, cca::stoppable<>>, cca::node<"leg", counting>> {};
+    struct robot : cca::graph<cca::rate<1000>, cca::node<"sequencer", holder, cca::timed<1>>,
+                              cca::node<"body", body, cca::stoppable<>>> {};
+    auto c = running<robot>();
+    c.run(cca::for_beats<5>{});
+    CHECK_FALSE(c.is_stopped<"body">());
+    CHECK(c.is_stopped<"body.arm">());
+    c.run(cca::for_beats<10>{});
+    CHECK_FALSE(c.is_stopped<"body.arm">());
+    CHECK_EQ(c.get<"body.leg">().fired, 15);
+    c.run(cca::for_beats<10>{});
+    CHECK(c.is_stopped<"body">());
+  }
+
   TEST_CASE("of a plan that chooses") {
     struct choices : cca::steps<cca::step<"walk", cca::needs<"walk">, cca::then_one_of<"reach">>,
                                 cca::step<"reach", cca::after<10>, cca::needs<"reach">>> {};

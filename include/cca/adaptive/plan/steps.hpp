@@ -105,9 +105,12 @@ struct asked_of_parts<std::tuple<Part...>> {
       if (paths[p] == paths[part]) return false;
     return true;
   }
-  static constexpr bool has(std::string_view path) {
+  // Is this part one of those, or one around one of those?
+  static constexpr bool need(std::string_view path) {
     for (std::size_t p = 0; p < sizeof...(Part); ++p)
-      if (paths[p] == path) return true;
+      if (paths[p] == path ||
+          (paths[p].size() > path.size() && paths[p].starts_with(path) && paths[p][path.size()] == '.'))
+        return true;
     return false;
   }
   // Of each part once: f.template operator()<Part>() gives a tuple.
@@ -204,7 +207,7 @@ struct steps {
       int i = 0;
       ((is_needed =
             is_needed ||
-            (i == step && detail::asked_of_parts<typename detail::step_facts<Steps>::parts>::has(Part::path)),
+            (i == step && detail::asked_of_parts<typename detail::step_facts<Steps>::parts>::need(Part::path)),
         ++i),
        ...);
       return std::tuple<typename Part::start, typename Part::stop>(is_needed, !is_needed);
