@@ -53,16 +53,17 @@ public:
     const std::int64_t period = static_cast<std::int64_t>(now.dt() * 1e9 + 0.5);
     return now.time() - older(origin, arrived) > beats * period;
   }
-  // How old it is, in a beat that found it too old.
-  void note(std::int64_t origin, std::int64_t beats, const beat& now) {
+  // How old it is, in a beat that found it too old. `has_come`: there was one at all.
+  void note(std::int64_t origin, std::int64_t beats, const beat& now, bool has_come) {
     found = {1e-9 * static_cast<double>(now.time() - older(origin, arrived)),
-             static_cast<double>(beats) * now.dt(), now.index()};
+             static_cast<double>(beats) * now.dt(), now.index(), has_come};
   }
-  // "the command is 0.006 s old, 0.005 s are allowed"
-  cca::cause told(const std::string& what, const char* remedy) const {
+  // "the command is 0.006 s old, 0.005 s are allowed", or "no command has come for 0.006 s, ..."
+  cca::cause told(const std::string& what, const std::string& none, const char* remedy) const {
     if (found.beat < 0) return {};
-    return {what + formatted(" is %.4g s old, %.4g s are allowed: ", found.age, found.allowed) + remedy,
-            found.beat};
+    const std::string text = found.has_come ? what + formatted(" is %.4g s old", found.age)
+                                            : "no " + none + formatted(" has come for %.4g s", found.age);
+    return {text + formatted(", %.4g s are allowed: ", found.allowed) + remedy, found.beat};
   }
   // By its arrival only.
   bool is_too_old(bool fresh, std::int64_t beats, const beat& now) {
@@ -73,6 +74,7 @@ private:
   struct {
     double age = 0, allowed = 0;  // s
     std::int64_t beat = -1;
+    bool has_come = false;
   } found{};
   std::int64_t arrived = 0;
   bool begun = false;
@@ -94,14 +96,15 @@ public:
 
   auto process(in<"command", Space> command, beat now) -> std::tuple<maybe<"fresh", Space>, fault> {
     if (age.is_too_old(command.origin(), command.fresh(), Beats, now)) {
-      age.note(command.origin(), Beats, now);
+      age.note(command.origin(), Beats, now, command.origin() != never);
       return {maybe<"fresh", Space>(), fault("stale command")};
     }
     return {passed_on(command), fault()};
   }
 
   cca::cause cause() const {
-    return age.told("the oldest data of the command", "see what its writers wait for, or raise `Beats`");
+    return age.told("the oldest data of the command", "command",
+                    "see what its writers wait for, or raise `Beats`");
   }
   void on_start() { age = {}; }
 
@@ -125,21 +128,22 @@ public:
     const bool no_source = of_source.is_too_old(newest.origin, newest.fresh, Beats, now);
     const bool no_command = of_command.is_too_old(command.fresh(), Arrival, now);
     if (no_source) {
-      of_source.note(newest.origin, Beats, now);
+      of_source.note(newest.origin, Beats, now, newest.origin != never);
       return {maybe<"fresh", Space>(), fault("stale source")};
     }
     if (no_command) {
-      of_command.note(now.time(), Arrival, now);
+      of_command.note(now.time(), Arrival, now, command.origin() != never);
       return {maybe<"fresh", Space>(), fault("stale command")};
     }
     return {passed_on(command), fault()};
   }
 
   cca::cause cause() const {
-    const std::string source = "the newest sample of `" + std::string(Source.view()) + "`";
-    if (const cca::cause old = of_source.told(source, "see why it is no longer published, or raise `Beats`"))
+    const std::string source = "sample of `" + std::string(Source.view()) + "`";
+    if (const cca::cause old = of_source.told("the newest " + source, source,
+                                              "see why it is no longer published, or raise `Beats`"))
       return old;
-    return of_command.told("the command", "see what its writer waits for, or raise `Arrival`");
+    return of_command.told("the command", "command", "see what its writer waits for, or raise `Arrival`");
   }
   void on_start() { of_source = of_command = {}; }
 

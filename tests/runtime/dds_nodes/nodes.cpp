@@ -160,7 +160,8 @@ TEST_SUITE("idl") {
   TEST_CASE("names, units, limits and the number of a space") {
     const std::string text = cca::idl<leg_angles>();
     CAPTURE(text);
-    CHECK(text.find("// leg_angles: joint_angles, 1000 Hz; topic \"talk/leg_angles\"\n") != text.npos);
+    CHECK(text.find("// leg_angles: joint_angles, 1000 Hz; topic \"talk/leg_angles\", if the node names no "
+                    "other\n") != text.npos);
     CHECK(text.find("  @final struct talk_leg_angles_sample {\n") != text.npos);
     CHECK(text.find("    double hip_;  // rad, -1 to 1\n    double knee_;  // rad, -2 to 0\n") != text.npos);
     CHECK(text.find("const long long talk_leg_angles_space = " +

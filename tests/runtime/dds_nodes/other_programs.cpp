@@ -73,8 +73,19 @@ std::string refusal(const char* type, const char* how) {
   }));
   CHECK_EQ(heard.received(), 0);
   CHECK_EQ(c.template get<"here">().count, 0);
+  const std::string line = heard.summary();  // as programs print it after a run
+  CHECK(line.ends_with(" messages refused, the newest: " + std::string(heard.why_refused())));
   return std::string(heard.why_refused());
 }
+
+// What the program of docs/dds.md watches and commands.
+struct of_page : cca::graph<cca::rate<1000>,
+                            cca::node<"leg", speaker<leg_angles>>,
+                            cca::node<"tell", cca::dds::publisher<leg_angles>>,
+                            cca::node<"heard", cca::dds::subscriber<leg_angles, "cca/said">>,
+                            cca::node<"here", recorder<leg_angles>>,
+                            cca::wire<"leg.value", "tell.sample">,
+                            cca::wire<"heard.sample", "here.value">> {};
 
 }  // namespace
 
@@ -98,6 +109,23 @@ TEST_SUITE("spaces and other programs") {
     hears<paws>("paws");
     hears<mood>("mood");
     hears<picture>("picture");
+  }
+  TEST_CASE("the program of the page hears the leg, and commands it") {
+    peer_process other({CCA_PAGE_PROGRAM, std::to_string(domain())});
+    cca::controller<of_page> c;
+    c.get<"tell">().p.domain = domain();
+    c.get<"heard">().p.domain = domain();
+    c.load();
+    c.start();
+    const auto& here = c.get<"here">();
+    CHECK(within_seconds(30, [&] {
+      c.step();
+      return other.has_said() && here.count > 0;
+    }));
+    CHECK(other.said.starts_with("hip 1.00, knee 1.50, "));
+    CHECK_EQ(here.last[1], -0.5);
+    CHECK_LE(std::abs(here.last[0]), 0.25);
+    CHECK_EQ(c.get<"heard">().summary(), "");
   }
   TEST_CASE("what does not fit is refused and counted, and changes nothing") {
     CHECK_EQ(refusal<leg_angles>("leg_angles", "other_space"), "a sample of another space");

@@ -224,6 +224,25 @@ TEST_SUITE("watchdog") {
     CHECK_EQ(steps_until_fault(stale, 100), 9);
   }
 
+  TEST_CASE("where nothing has ever come the cause says so") {
+    auto c = started<guarded>();
+    c.get<"link">().up = false;
+    CHECK_EQ(steps_until_fault(c, 50), 6);
+    CHECK_EQ(c.get<"watchdog.watch">().cause().what,
+             "no command has come for 0.006 s, 0.005 s are allowed: see what its writers wait for, or raise "
+             "`Beats`");
+    auto followed = started<planned<of_encoders_slowly>>();
+    followed.get<"follower">().gone = true;
+    CHECK(steps_until_fault(followed, 50) > 0);
+    CHECK_EQ(followed.get<"watchdog.watch">().cause().what,
+             "no command has come for 0.021 s, 0.02 s are allowed: see what its writer waits for, or raise "
+             "`Arrival`");
+    auto deaf = started<planned<of_encoders>>();
+    deaf.get<"robot">().reporting = false;
+    CHECK(steps_until_fault(deaf, 50) > 0);
+    CHECK(deaf.get<"watchdog.watch">().cause().what.starts_with("no sample of `robot.angles` has come for "));
+  }
+
   TEST_CASE("without a source a slow goal makes the command old") {
     auto c = started<planned<cca::watchdog<leg_angles, 5>>>();
     CHECK_EQ(steps_until_fault(c, 200), 6);

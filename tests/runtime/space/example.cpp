@@ -28,6 +28,35 @@ struct foot_in_trunk : cca::space<cca::cartesian_position<trunk>, xyz> {};
 }  // namespace leg
 // [spaces end]
 
+namespace garden {
+
+// [quantity]
+struct humidity {  // a quantity of one's own
+  double lower, upper;
+  static constexpr std::string_view unit = "%";
+  static constexpr auto on_nan = cca::nan_policy::hold;
+};
+struct soil_humidity {  // and a domain type of it
+  using quantity = humidity;
+  static constexpr bool actuated = false;  // a sensor's
+  static constexpr int width(int axes) { return axes; }
+  static constexpr double zero(int, int) { return 0; }
+  template <class Self>
+  struct methods {
+    double mean() const { return static_cast<const Self&>(*this).vector().mean(); }
+  };
+};
+struct first_bed : cca::dimension<"first_bed"> {
+  static constexpr auto limits = cca::limits{humidity{0, 100}};
+};
+struct second_bed : cca::dimension<"second_bed"> {
+  static constexpr auto limits = cca::limits{humidity{0, 100}};
+};
+struct beds : cca::space<soil_humidity, cca::axes<first_bed, second_bed>> {};
+// [quantity end]
+
+}  // namespace garden
+
 TEST_SUITE("space example") {
   TEST_CASE("angles") {
     // [methods]
@@ -38,6 +67,11 @@ TEST_SUITE("space example") {
     CHECK(safe.origin() == 5'000'000);
     CHECK(rest.interpolated(safe, 0.5)[leg::knee{}] == -0.3);
     // [methods end]
+  }
+
+  TEST_CASE("a quantity of one's own") {
+    const cca::sample<garden::beds> wet(Eigen::Vector2d(30, 50));
+    CHECK(wet.mean() == 40);
   }
 
   TEST_CASE("frames") {

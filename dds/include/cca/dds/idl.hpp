@@ -128,7 +128,8 @@ std::string idl_of_space() {
   std::ostringstream all;
   all << "// " << cca::detail::type_name<Space>() << ": " << schema.domain();
   if (schema.hz() > 0) all << ", " << schema.hz() << " Hz";
-  all << "; topic \"" << topic_of_space<Space>() << "\"\nmodule cca {\n  const long long " << name
+  all << "; topic \"" << topic_of_space<Space>()
+      << "\", if the node names no other\nmodule cca {\n  const long long " << name
       << "_space = " << space_number<Space>()
       << ";  // domain type, names, units, limits and rate\n  @final struct " << name
       << "_sample {\n    long long space;  // " << name
@@ -175,6 +176,8 @@ template <class... Spaces>
 std::string idl() {
   static_assert(sizeof...(Spaces) > 0,
                 "cca::idl: name the spaces, as in `cca::idl<leg_angles, trunk_pose>()`");
+  static_assert((Space<Spaces> && ...),
+                "cca::idl: one of these types is no space: give it a struct derived from cca::space<...>");
   dds::detail::spaces_in_idl known;
   std::string all = "// Written by cca::idl of cca " + std::to_string(version_major) + "." +
                     std::to_string(version_minor) + "." + std::to_string(version_patch) +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
@@ -16,6 +17,11 @@ class publishes {
 public:
   std::int64_t sent() const { return to ? to->sent() : 0; }
   std::int64_t dropped() const { return to ? to->dropped() : 0; }
+
+  // For programs, after the run (base/after_run.hpp).
+  std::string summary() const {
+    return dropped() > 0 ? std::to_string(dropped()) + " samples dropped: a reader did not keep up" : "";
+  }
 
 protected:
   void open(const address& at) { to.open(at); }

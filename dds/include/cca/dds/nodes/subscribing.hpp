@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include <cca/dds/nodes/incoming.hpp>
@@ -19,6 +20,17 @@ public:
   std::int64_t refused() const { return from ? from->refused() : 0; }
   std::int64_t too_late() const { return from ? from->too_late() : 0; }
   std::string_view why_refused() const { return from ? from->why_refused() : std::string_view(); }
+
+  // For programs, after the run (base/after_run.hpp).
+  std::string summary() const {
+    std::string all;
+    if (refused() > 0)
+      all = std::to_string(refused()) + " messages refused, the newest: " + std::string(why_refused());
+    if (too_late() > 0)
+      all += (all.empty() ? "" : "; ") + std::to_string(too_late()) +
+             " dropped, because no beat took them in time";
+    return all;
+  }
 
 protected:
   using vector_type = typename incoming<Message, Quality>::vector_type;
