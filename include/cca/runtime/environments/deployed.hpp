@@ -76,8 +76,8 @@ public:
 
   // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
   // the deployment doesn't have, or that another process runs, and a process of another deployment.
-  template <class T>
-  deployed(const only& environments, const T& transport) {
+  template <class T = int>  // without one it is none, too
+  deployed(const only& environments, const T& transport = {}) {
     here = detail::chosen_environments<D>(environments);
     static_assert(Transport<T, D>,
                   "deployment.no_transport: the second argument of cca::deployed is no transport: write "
