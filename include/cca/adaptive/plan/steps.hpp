@@ -205,9 +205,9 @@ struct steps {
     return parts::join([step]<class Part>() {
       bool is_needed = false;
       int i = 0;
-      ((is_needed =
-            is_needed ||
-            (i == step && detail::asked_of_parts<typename detail::step_facts<Steps>::parts>::need(Part::path)),
+      ((is_needed = is_needed ||
+                    (i == step &&
+                     detail::asked_of_parts<typename detail::step_facts<Steps>::parts>::need(Part::path)),
         ++i),
        ...);
       return std::tuple<typename Part::start, typename Part::stop>(is_needed, !is_needed);
