@@ -32,6 +32,8 @@
 #define CCA_SANITIZED 0
 #endif
 
+#include <utility>
+
 namespace cca::detail {
 
 // A text in a template argument: clang prints its first 35 letters, g++ prints all of it.
@@ -45,6 +47,59 @@ inline constexpr bool prints_whole_texts = true;
 // after. Both know that the content of a place is undefined until a constructor has written it, and would
 // drop what was stored there before.
 inline void forget_content(void* place) { asm volatile("" : : "r"(place) : "memory"); }
+
+// CCA_EXACT, the first line of a function body, and kept(a * b): the product is rounded before it is added to
+// anything, also where the machine could do both at once. Each compiler has its own way. A square root
+// without the call that would set errno. Why: math/rounding.hpp.
+#if defined(__clang__)
+#define CCA_EXACT _Pragma("clang fp contract(off)")
+template <class T>
+[[gnu::always_inline]] constexpr T kept(T product) {
+  return product;
+}
+#else
+#define CCA_EXACT
+template <class T>
+[[gnu::always_inline]] inline constexpr T kept(T product) {
+  return __builtin_assoc_barrier(product);
+}
+#endif
+
+inline double square_root_of(double x) {
+#if defined(__SSE2__)
+  using pair = double __attribute__((vector_size(16)));
+#if defined(__clang__)
+  return __builtin_elementwise_sqrt(pair{x, 0})[0];
+#else
+  return __builtin_ia32_sqrtpd(pair{x, 0})[0];
+#endif
+#else
+  return __builtin_sqrt(x);
+#endif
+}
+template <class Lanes>  // a vector of doubles
+[[gnu::always_inline]] inline Lanes square_roots_of(Lanes x) {
+#if defined(__clang__)
+  return __builtin_elementwise_sqrt(x);
+#else
+#if defined(__AVX__)
+  using together = double __attribute__((vector_size(32)));
+  if constexpr (sizeof(Lanes) == sizeof(together)) return __builtin_ia32_sqrtpd256(x);
+#endif
+  for (unsigned i = 0; i < sizeof(Lanes) / sizeof(double); ++i) x[i] = square_root_of(x[i]);
+  return x;
+#endif
+}
+
+// Both halves of a vector.
+template <class Lanes, int... I>
+[[gnu::always_inline]] constexpr auto halves_of(Lanes x, std::integer_sequence<int, I...>) {
+  struct both {
+    decltype(__builtin_shufflevector(x, x, I...)) first, second;
+  };
+  return both{__builtin_shufflevector(x, x, I...),
+              __builtin_shufflevector(x, x, (I + static_cast<int>(sizeof...(I)))...)};
+}
 
 // nth_type<List>::at<I>: a type of a list. clang has a builtin for it, g++ 12 has not.
 template <class List>

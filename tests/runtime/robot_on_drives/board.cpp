@@ -37,15 +37,6 @@ struct board : hw::robot_board<0x40, 0, 2, 1> {};
 
 struct on_drive : hw::robot<pendulum, end_of_wire, swing_joint, board> {};
 
-// This board reads no foot.
-struct with_foot : pendulum {
-  using sensors = robots::sensors<robots::foot_loads<"loads", cca::axes<cca::x>, "rod">,
-                                  robots::accelerometer<"of_base">,
-                                  robots::accelerometer<"felt", "rod">>;
-};
-static_assert(hw::detail::has_sensors<board>(robots::sensors_of<pendulum>()));
-static_assert(!hw::detail::has_sensors<board>(robots::sensors_of<with_foot>()));
-
 using xyz = cca::axes<cca::x, cca::y, cca::z>;
 template <class Domain>
 struct heard : cca::space<Domain, xyz, cca::rate<1000>> {};

@@ -82,19 +82,12 @@ template <class Board>
   requires requires { Board::inertial_units; }
 constexpr std::size_t inertial_units_of<Board> = Board::inertial_units;
 
-template <class Board>
-constexpr std::size_t feet_of = 0;
-template <class Board>
-  requires requires { Board::feet; }
-constexpr std::size_t feet_of<Board> = Board::feet;
-
-// Whether the board has all force sensors and all feet, and an inertial unit where each of the others sits.
+// Whether the board has all force sensors, and an inertial unit where each of the others sits.
 template <class Board, class... Sensors>
 constexpr bool has_sensors(robots::sensors<Sensors...> all) {
   constexpr auto reads = [](std::size_t has, std::size_t needs) { return needs == 0 || has == needs; };
   return reads(loads_of<Board>, robots::detail::load_count(all)) &&
-         reads(inertial_units_of<Board>, robots::detail::unit_count(all)) &&
-         reads(feet_of<Board>, robots::detail::feet_count(all));
+         reads(inertial_units_of<Board>, robots::detail::unit_count(all));
 }
 
 template <class R, class... Drives>
