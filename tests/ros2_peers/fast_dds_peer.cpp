@@ -207,12 +207,15 @@ public:
     TypeSupport support(new any_type(type));
     support.register_type(in);
     auto* const on = in->create_topic(topic, support.get_type_name(), TOPIC_QOS_DEFAULT);
+    const auto kept = topic.ends_with("_static") ? TRANSIENT_LOCAL_DURABILITY_QOS : VOLATILE_DURABILITY_QOS;
     if (what == "hear") {
       DataReaderQos q = DATAREADER_QOS_DEFAULT;
+      q.durability().kind = kept;
       q.reliability().kind = RELIABLE_RELIABILITY_QOS;
       reader = in->create_subscriber(SUBSCRIBER_QOS_DEFAULT)->create_datareader(on, q);
     } else {
       DataWriterQos q = DATAWRITER_QOS_DEFAULT;
+      q.durability().kind = kept;
       q.reliability().kind = RELIABLE_RELIABILITY_QOS;
       writer = in->create_publisher(PUBLISHER_QOS_DEFAULT)->create_datawriter(on, q);
     }

@@ -281,6 +281,7 @@ public:
     dds_create_domain(domain, on_this_machine);
     const dds_entity_t in = dds_create_participant(domain, nullptr, nullptr);
     dds_qos_t* const q = dds_create_qos();
+    if (topic.ends_with("_static")) dds_qset_durability(q, DDS_DURABILITY_TRANSIENT_LOCAL);
     dds_qset_reliability(q, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
     with_type(name, [&](auto t) {
       const dds_entity_t on = dds_create_topic(in, &t.about(), topic.c_str(), nullptr, nullptr);

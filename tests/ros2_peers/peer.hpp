@@ -5,7 +5,8 @@
 //   peer big  DOMAIN TYPE TOPIC   the same, as a machine that is big-endian writes it (Fast DDS only)
 //   peer lie  DOMAIN TYPE TOPIC   the same with broken bytes (Fast DDS only)
 //
-// A peer shares no code with cca.
+// On a topic that ends in "_static" messages are kept for those that come later. A peer shares no code with
+// cca.
 #pragma once
 
 #include <chrono>

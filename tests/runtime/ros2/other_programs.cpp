@@ -269,6 +269,52 @@ void all_are_heard_from(const char* program, const std::string& what = "tell") {
   CHECK_GT(c.get<"joints">().received(), 0);
 }
 
+struct last_place {
+  numbers_of<places> seen = numbers_of<places>::Zero();
+  void process(const cca::in<"place", place>& p) { seen = p.vector(); }
+};
+// Told once, before anybody is there.
+struct once {
+  auto process(cca::beat now) -> cca::maybe<"place", place> {
+    if (now.index() != 0) return {};
+    return other_source::where();
+  }
+};
+struct tells_once
+    : cca::graph<cca::rate<100>,
+                 cca::node<"where", once>,
+                 cca::node<"fixed", cca::ros2::publisher<"cca/tf_static", tree, cca::ros2::transient_local>>,
+                 cca::wire<"where.place", "fixed.transform">> {};
+struct hears_once
+    : cca::graph<cca::rate<100>,
+                 cca::node<"fixed", cca::ros2::subscriber<"cca/tf_static", tree, cca::ros2::transient_local>>,
+                 cca::node<"last", last_place>,
+                 cca::wire<"fixed.transform", "last.place">> {};
+
+void what_is_told_once_is_heard_by(const char* program) {
+  use_own_domain();
+  cca::controller<tells_once> c;
+  c.load();
+  c.start();
+  for (int i = 0; i < 5; ++i) c.step();
+  CHECK(within_seconds(10, [&] { return c.get<"fixed">().sent() == 1; }));
+  peer other(program, "hear", "TFMessage", "cca/tf_static");
+  CHECK(within_seconds(30, [&] { return other.has_said(); }));
+  CHECK(other.said.find("trunk") != std::string::npos);
+  CHECK(other.said.find("| 1 2 3 | 0 0 0.6 0.8\n") != std::string::npos);
+}
+void what_is_kept_is_heard_from(const char* program) {
+  use_own_domain();
+  peer other(program, "tell", "TFMessage", "cca/tf_static");
+  cca::controller<hears_once> c;
+  c.load();
+  c.start();
+  CHECK(within_seconds(30, [&] {
+    c.step();
+    return c.get<"last">().seen.isApprox(other_source::where(), 1e-15);
+  }));
+}
+
 }  // namespace
 
 TEST_SUITE("ros 2 and other programs") {
@@ -276,6 +322,12 @@ TEST_SUITE("ros 2 and other programs") {
   TEST_CASE("a program on Fast DDS hears what is published") { all_are_heard_by(fast_dds_peer, false); }
   TEST_CASE("what a program on generated code publishes is heard") { all_are_heard_from(idlc_peer); }
   TEST_CASE("what a program on Fast DDS publishes is heard") { all_are_heard_from(fast_dds_peer); }
+  TEST_CASE("what is kept on tf_static goes both ways") {
+    what_is_told_once_is_heard_by(idlc_peer);
+    what_is_told_once_is_heard_by(fast_dds_peer);
+    what_is_kept_is_heard_from(idlc_peer);
+    what_is_kept_is_heard_from(fast_dds_peer);
+  }
   TEST_CASE("what a program on a big-endian machine publishes is heard") {
     all_are_heard_from(fast_dds_peer, "big");
   }
