@@ -24,14 +24,14 @@ inline constexpr double cosine_terms[] = {0x1.5555555555555p-5,  -0x1.6c16c16c16
                                           0x1.1eeb57d2ffc05p-29, -0x1.907385311fb0bp-37};
 
 // An angle is rest + quarters pi / 2, |rest| <= pi / 4. Of `quarters` only the last two bits count.
-template <real T>
+template <Real T>
 struct reduced {
   pair<T> rest;
   word<T> quarters;
 };
 
 // The first three parts of pi / 2 have 33 bits, so their products are exact.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr reduced<T> reduce(T x) {
   CCA_EXACT
   const whole<T> k = nearest(product(x, 0x1.45f306dc9c883p-1));
@@ -42,7 +42,7 @@ CCA_INLINE constexpr reduced<T> reduce(T x) {
   const T high = b.high + low;
   return {{high, (b.high - high) + low}, k.bits};
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr auto can_reduce(T x) {  // no for NaN
   return magnitude(x) <= 0x1.921fb54442d18p+20;
 }
@@ -106,14 +106,14 @@ CCA_INLINE constexpr auto can_reduce(T x) {  // no for NaN
 }
 
 // Sine and cosine of |r| <= pi / 4, each as the sum that is rounded last.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> near_sine(pair<T> r) {
   CCA_EXACT
   const T z = product(r.high, r.high);
   return {r.high,
           product(product(r.high, z), polynomial(z, sine_terms)) + product(r.low, T(1 - product(z, 0.5)))};
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> near_cosine(pair<T> r) {
   CCA_EXACT
   const T z = product(r.high, r.high), half = product(z, 0.5), w = 1 - half;
@@ -121,11 +121,11 @@ CCA_INLINE constexpr pair<T> near_cosine(pair<T> r) {
           ((1 - w) - half) + (product(product(z, z), polynomial(z, cosine_terms)) - product(r.high, r.low))};
 }
 
-template <real T>
+template <Real T>
 struct both_of {
   T sine, cosine;
 };
-template <real T>
+template <Real T>
 CCA_INLINE constexpr both_of<T> turned(reduced<T> at) {
   CCA_EXACT
   const pair<T> s = near_sine(at.rest), c = near_cosine(at.rest);
@@ -134,7 +134,7 @@ CCA_INLINE constexpr both_of<T> turned(reduced<T> at) {
   return {from_bits<T>(first ^ ((at.quarters & 2) << 62)),
           from_bits<T>(second ^ (((at.quarters + 1) & 2) << 62))};
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T turned_tangent(reduced<T> at) {
   CCA_EXACT
   const pair<T> s0 = near_sine(at.rest), c0 = near_cosine(at.rest);
@@ -157,11 +157,11 @@ CCA_INLINE constexpr T turned_tangent(reduced<T> at) {
 }  // namespace detail
 
 // Both of one angle.
-template <real T>
+template <Real T>
 struct sine_and_cosine_of {
   T sine, cosine;
 };
-template <real T>
+template <Real T>
 CCA_INLINE constexpr sine_and_cosine_of<T> sine_and_cosine(T x) {
   auto [sine, cosine] = detail::turned(detail::reduce(x));
   if (!detail::everywhere(detail::can_reduce(x))) [[unlikely]] {
@@ -178,15 +178,15 @@ CCA_INLINE constexpr sine_and_cosine_of<T> sine_and_cosine(T x) {
   return {detail::pick(x == 0, x, sine), cosine};
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T sin(T x) {
   return sine_and_cosine(x).sine;
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T cos(T x) {
   return sine_and_cosine(x).cosine;
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T tan(T x) {
   if (!detail::everywhere(detail::can_reduce(x))) [[unlikely]]
     return detail::lane_by_lane(

@@ -29,7 +29,7 @@ inline constexpr double eighth_turn_low = 0x1.8469898cc5170p-49;
 }  // namespace detail
 
 // The angle of the point (x, y), -pi to pi.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T atan2(T y, T x) {
   CCA_EXACT
   using namespace detail;
@@ -61,7 +61,7 @@ CCA_INLINE constexpr T atan2(T y, T x) {
   return where((x == x) & (y == y), with_sign_of(y, angle));
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T atan(T x) {
   CCA_EXACT
   using namespace detail;
@@ -86,7 +86,7 @@ CCA_INLINE constexpr T atan(T x) {
 namespace detail {
 
 // asin(r) of r = sqrt(z) <= 1/2 in two parts; of `size` or, where that is above 1/2, of sqrt((1 - size) / 2).
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> half_arcsine(T size, T small) {
   CCA_EXACT
   const auto is_small = size <= 0.5;
@@ -99,7 +99,7 @@ CCA_INLINE constexpr pair<T> half_arcsine(T size, T small) {
 
 }  // namespace detail
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T asin(T x) {
   CCA_EXACT
   using namespace detail;
@@ -109,7 +109,7 @@ CCA_INLINE constexpr T asin(T x) {
   return where(size <= 1.0, with_sign_of(x, pick(size <= 0.5, T(a.high + a.low), large)));
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T acos(T x) {
   CCA_EXACT
   using namespace detail;

@@ -29,7 +29,7 @@ inline constexpr double log_2_high = 0x1.62e42fefa38p-1;  // 42 bits: times k ex
 inline constexpr double log_2_low = 0x1.ef35793c7673p-45;
 
 // exp(r) - 1 of |r| <= log(2) / 2 in two parts.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> growth_of(pair<T> r) {
   CCA_EXACT
   return {r.high, r.low + (product(product(r.high, r.high), polynomial(r.high, exponential_terms)) +
@@ -37,19 +37,19 @@ CCA_INLINE constexpr pair<T> growth_of(pair<T> r) {
 }
 
 // exp(x) = 2^k (1 + grown), |x| < 2^20.
-template <real T>
+template <Real T>
 struct exponential {
   pair<T> grown;
   word<T> k;  // its upper bits are others
 };
-template <real T>
+template <Real T>
 CCA_INLINE constexpr exponential<T> exponential_of(T x) {
   CCA_EXACT
   const whole<T> k = nearest(product(x, 0x1.71547652b82fep+0));
   const T y = x - product(k.value, log_2_high), second = product(k.value, log_2_low), r = y - second;
   return {growth_of(pair<T>{r, (y - r) - second}), k.bits};
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T near_exp(exponential<T> e) {  // 2^k and the result are normal
   CCA_EXACT
   const pair<T> s = fast_sum_of(all<T>(1), e.grown.high);
@@ -73,7 +73,7 @@ constexpr double scaled_exp(exponential<double> e) {
 
 // (exp(x) - 1) / 4 in two parts, -60 <= x <= 710.5: a quarter, so that what is made of it is infinite no
 // sooner than it must be.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> quarter_of_growth(T x) {
   CCA_EXACT
   const exponential<T> e = exponential_of(x);
@@ -81,15 +81,15 @@ CCA_INLINE constexpr pair<T> quarter_of_growth(T x) {
   const pair<T> start = sum_of(scale, all<T>(-0.25)), s = sum_of(start.high, product(scale, e.grown.high));
   return fast_sum_of(s.high, T((start.low + s.low) + product(scale, e.grown.low)));
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T clamped(T x, double low, double high) {  // NaN stays
   return pick(x < low, low, pick(x > high, high, x));
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T or_tiny(T x, T result) {  // x^2 can't be seen beside x
   return pick(magnitude(x) < 0x1p-55, x, result);
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> quarter_of_exp(T x) {
   CCA_EXACT
   const exponential<T> e = exponential_of(x);
@@ -100,7 +100,7 @@ CCA_INLINE constexpr pair<T> quarter_of_exp(T x) {
 
 }  // namespace detail
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T exp(T x) {
   if (!detail::everywhere(detail::magnitude(x) <= 708.0)) [[unlikely]]
     return detail::lane_by_lane(
@@ -109,13 +109,13 @@ CCA_INLINE constexpr T exp(T x) {
 }
 
 // exp(x) - 1, also where exp(x) is nearly 1.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T expm1(T x) {
   const T size = detail::pick(x < -60, -60.0, detail::pick(x > 710.5, 710.5, x));
   return detail::where(x == x, detail::or_tiny(x, T(detail::quarter_of_growth(size).high * 4)));
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T sinh(T x) {
   CCA_EXACT
   const T size = detail::magnitude(x);
@@ -127,7 +127,7 @@ CCA_INLINE constexpr T sinh(T x) {
   return detail::where(x == x, detail::or_tiny(x, detail::with_sign_of(x, result)));
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T cosh(T x) {
   CCA_EXACT
   const T size = detail::magnitude(x);
@@ -135,7 +135,7 @@ CCA_INLINE constexpr T cosh(T x) {
   return detail::where(x == x, T(2 * (e.high + (e.low + 0.0625 / e.high))));
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T tanh(T x) {
   CCA_EXACT
   const T twice = 2 * detail::magnitude(x);

@@ -24,22 +24,22 @@ inline constexpr double log_terms_of_power[] = {
     0x1.3333333333333p-1, 0x1.b6db6db6db97p-2,  0x1.5555555507f5ap-2, 0x1.1745d1b543714p-2,
     0x1.d89d504805619p-3, 0x1.99a8081f49e64p-3, 0x1.675cc0b06cde5p-3, 0x1.6a6e9226dbdc4p-3};
 
-template <real T>
+template <Real T>
 struct parts {
   T mantissa;  // sqrt(1/2) to sqrt(2)
   T exponent;
 };
-template <real T>
+template <Real T>
 CCA_INLINE constexpr parts<T> parts_of(T x) {  // normal, positive
   const word<T> w = bits(x), k = (w - std::bit_cast<std::int64_t>(0x1.6a09e667f3bcdp-1)) >> 52;
   return {from_bits<T>(w - (k << 52)), number<T>(k)};
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr auto is_normal(T x) {  // and positive
   return (x >= 0x1p-1022) & (x < infinite);
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T near_log(parts<T> p) {
   CCA_EXACT
   const T f = p.mantissa - 1, s = f / (2 + f), z = product(s, s), half = product(T(0.5 * f), f);
@@ -54,7 +54,7 @@ CCA_INLINE constexpr T near_log(parts<T> p) {
 }
 
 // The logarithm to base 2 in two parts, of which the first has 21 bits.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> binary_log(parts<T> p) {
   CCA_EXACT
   const T f = p.mantissa - 1, inverse = 1 / (p.mantissa + 1), s = product(f, inverse), sh = upper_21(s);
@@ -72,13 +72,13 @@ CCA_INLINE constexpr pair<T> binary_log(parts<T> p) {
 }
 
 // 2^(y l) as its parts.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> product_in_parts(T y, pair<T> l) {
   CCA_EXACT
   const T yh = upper_21(y);
   return {product(yh, l.high), product(T(y - yh), l.high) + product(y, l.low)};
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr exponential<T> binary_exponential(pair<T> e) {  // |e| < 2^20
   CCA_EXACT
   const whole<T> k = nearest(T(e.high + e.low));
@@ -115,7 +115,7 @@ CCA_INLINE constexpr exponential<T> binary_exponential(pair<T> e) {  // |e| < 2^
 
 }  // namespace detail
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T log(T x) {
   if (!detail::everywhere(detail::is_normal(x))) [[unlikely]]
     return detail::lane_by_lane(
@@ -123,7 +123,7 @@ CCA_INLINE constexpr T log(T x) {
   return detail::near_log(detail::parts_of(x));
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T pow(T x, T y) {
   const auto is_usual = detail::is_normal(x) & (detail::magnitude(y) < 0x1p66);
   const detail::pair<T> e = detail::product_in_parts(y, detail::binary_log(detail::parts_of(x)));

@@ -28,7 +28,7 @@ constexpr double constant_square_root(double x) {
 
 }  // namespace detail
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T sqrt(T x) {
   if constexpr (std::same_as<T, double>) {
     if (std::is_constant_evaluated()) return detail::constant_square_root(x);
@@ -46,14 +46,14 @@ inline constexpr double cube_root_terms[] = {0x1.2c993c9ef6616p-1,  0x1.0d6673a6
                                              -0x1.2e950db2842b4p-9, 0x1.71abdf020c951p-14};
 
 // |x| < 2^52 is rounded by adding 2^52; larger numbers are whole.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T to_whole(T size) {
   CCA_EXACT
   return (size + 0x1p52) - 0x1p52;
 }
 
 // Of sides whose squares are normal, the longer one first; less may be so small that its square is nothing.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T near_hypot(T more, T less) {
   CCA_EXACT
   const T root = sqrt(T(product(more, more) + product(less, less)));
@@ -93,34 +93,34 @@ CCA_INLINE constexpr T near_hypot(T more, T less) {
 
 }  // namespace detail
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T trunc(T x) {
   CCA_EXACT
   const T size = detail::magnitude(x), whole = detail::to_whole(size);
   const T down = whole - detail::pick(whole > size, 1.0, T{});
   return detail::where(x == x, detail::pick(size < 0x1p52, detail::with_sign_of(x, down), x));
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T floor(T x) {
   CCA_EXACT
   const T t = trunc(x);
   return detail::pick(t > x, T(t - 1), t);
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T ceil(T x) {
   CCA_EXACT
   const T t = trunc(x);
   return detail::pick(t < x, detail::with_sign_of(x, T(t + 1)), t);
 }
 // Halves away from zero.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T round(T x) {
   CCA_EXACT
   const T t = trunc(x), left = detail::magnitude(T(x - t));
   return detail::pick(left >= 0.5, T(t + detail::with_sign_of(x, detail::all<T>(1))), t);
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T cbrt(T x) {
   CCA_EXACT
   using namespace detail;
@@ -141,7 +141,7 @@ CCA_INLINE constexpr T cbrt(T x) {
   return where(x == x, pick((size > 0) & (size < infinite), with_sign_of(x, root), x));
 }
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T hypot(T x, T y) {
   CCA_EXACT
   using namespace detail;
@@ -160,7 +160,7 @@ CCA_INLINE constexpr T hypot(T x, T y) {
 }
 
 // x - q y for the whole q nearest zero; exact.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T fmod(T x, T y) {
   CCA_EXACT
   using namespace detail;

@@ -24,7 +24,7 @@
 namespace cca::math {
 
 // A double, or lanes of doubles.
-template <class T> concept real = std::same_as<T, double> || (!std::is_class_v<T> && requires(T lanes) {
+template <class T> concept Real = std::same_as<T, double> || (!std::is_class_v<T> && requires(T lanes) {
                                     lanes + lanes;
                                     requires std::same_as<std::remove_cvref_t<decltype(lanes[0])>, double>;
                                   });
@@ -33,7 +33,7 @@ namespace detail {
 
 using cca::detail::kept;
 
-template <real T>
+template <Real T>
 struct word_of {
   using type = decltype(T{} < T{});  // integers with a sign, as long as the doubles
 };
@@ -41,20 +41,20 @@ template <>
 struct word_of<double> {
   using type = std::int64_t;
 };
-template <real T>
+template <Real T>
 using word = typename word_of<T>::type;
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr word<T> bits(T x) {
   return std::bit_cast<word<T>>(x);
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T from_bits(word<T> x) {
   return std::bit_cast<T>(x);
 }
 
 // The number in each lane. Not for -0.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T all(double x) {
   if constexpr (std::same_as<T, double>) return x;
   else return T{} + x;
@@ -62,7 +62,7 @@ CCA_INLINE constexpr T all(double x) {
 
 // Of each lane the one or the other; one of them may be the same number in all lanes. A condition is what a
 // comparison gives.
-template <class Condition, real Yes, real No>
+template <class Condition, Real Yes, Real No>
 CCA_INLINE constexpr auto pick(Condition condition, Yes yes, No no) {
   if constexpr (std::same_as<Yes, No>) return condition ? yes : no;
   else if constexpr (std::same_as<Yes, double>) return condition ? all<No>(yes) : no;
@@ -87,11 +87,11 @@ CCA_INLINE constexpr bool everywhere(Condition condition) {
 
 inline constexpr std::int64_t sign_bit = std::int64_t(std::uint64_t{1} << 63);
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T magnitude(T x) {
   return from_bits<T>(bits(x) & ~sign_bit);
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T with_sign_of(T sign, T x) {
   return from_bits<T>((bits(x) & ~sign_bit) | (bits(sign) & sign_bit));
 }
@@ -100,7 +100,7 @@ inline constexpr double infinite = std::bit_cast<double>(std::int64_t{0x7ff} << 
 // One NaN for all: sign and payload of others differ between machines.
 inline constexpr double not_a_number = std::bit_cast<double>(std::int64_t{0x7ff8} << 48);
 // The result where a condition holds, else that NaN. Chosen as bits: to a compiler all NaNs are the same.
-template <real T, class Condition>
+template <Real T, class Condition>
 CCA_INLINE constexpr T where(Condition condition, T result) {
   if constexpr (std::same_as<T, double>) return from_bits<T>(condition ? bits(result) : bits(not_a_number));
   else return from_bits<T>(condition ? bits(result) : word<T>{} + bits(not_a_number));
@@ -108,30 +108,30 @@ CCA_INLINE constexpr T where(Condition condition, T result) {
 
 // ---- a number in two parts: high is what the sum of both rounds to ----
 
-template <real T>
+template <Real T>
 struct pair {
   T high, low;
 };
 
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T product(T a, T b) {
   CCA_EXACT
   return kept<T>(a * b);
 }
-template <real T>
+template <Real T>
   requires(!std::same_as<T, double>)
 CCA_INLINE constexpr T product(T a, double b) {
   return product(a, all<T>(b));
 }
 
 // a + b (Knuth); fast_sum_of: where a is the larger one (Dekker).
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> sum_of(T a, T b) {
   CCA_EXACT
   const T s = a + b, t = s - a;
   return {s, (a - (s - t)) + (b - t)};
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> fast_sum_of(T a, T b) {
   CCA_EXACT
   const T s = a + b;
@@ -139,17 +139,17 @@ CCA_INLINE constexpr pair<T> fast_sum_of(T a, T b) {
 }
 
 // The first 26 or 21 bits: the product of two such numbers is exact.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T upper_26(T x) {
   return from_bits<T>(bits(x) & ~std::int64_t{0x7ffffff});
 }
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T upper_21(T x) {
   return from_bits<T>(bits(x) & ~std::int64_t{0xffffffff});
 }
 
 // x - y^2, exact up to a rounding of the last sum; y^2 is near x.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T rest_of_square(T x, T y) {
   CCA_EXACT
   const T high = upper_26(y);
@@ -157,7 +157,7 @@ CCA_INLINE constexpr T rest_of_square(T x, T y) {
 }
 
 // a / b: the quotient, and what is left of a over b.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr pair<T> quotient_of(pair<T> a, pair<T> b) {
   CCA_EXACT
   const T q = a.high / b.high, qh = upper_26(q), bh = upper_26(b.high), bl = (b.high - bh) + b.low;
@@ -168,7 +168,7 @@ CCA_INLINE constexpr pair<T> quotient_of(pair<T> a, pair<T> b) {
 // ---- polynomials, integers, powers of two ----
 
 // f of each lane.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T lane_by_lane(T x, auto f) {
   if constexpr (std::same_as<T, double>) {
     return f(x);
@@ -179,40 +179,40 @@ CCA_INLINE constexpr T lane_by_lane(T x, auto f) {
 }
 
 // c[0] + c[1] x + ..., by Horner's rule. Not a loop, which would stay one.
-template <real T, std::size_t N, std::size_t... I>
+template <Real T, std::size_t N, std::size_t... I>
 CCA_INLINE constexpr T horner(T x, const double (&c)[N], std::index_sequence<I...>) {
   CCA_EXACT
   T r = all<T>(c[N - 1]);
   ((r = product(r, x) + c[N - 2 - I]), ...);
   return r;
 }
-template <real T, std::size_t N>
+template <Real T, std::size_t N>
 CCA_INLINE constexpr T polynomial(T x, const double (&c)[N]) {
   return horner(x, c, std::make_index_sequence<N - 1>{});
 }
 
 // The nearest integer of |x| < 2^51, ties to even, and the same as an integer in its lowest 51 bits.
-template <real T>
+template <Real T>
 struct whole {
   T value;
   word<T> bits;
 };
 inline constexpr double upper_half = 0x1.8p52;
-template <real T>
+template <Real T>
 CCA_INLINE constexpr whole<T> nearest(T x) {
   CCA_EXACT
   const T t = x + upper_half;
   return {t - upper_half, bits(t)};
 }
 // An integer below 2^51 as a number.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T number(word<T> k) {
   CCA_EXACT
   return from_bits<T>(k + std::bit_cast<std::int64_t>(upper_half)) - upper_half;
 }
 
 // 2^k, -1022 <= k <= 1023. Only the lowest bits of k count.
-template <real T>
+template <Real T>
 CCA_INLINE constexpr T power_of_two(word<T> k) {
   return from_bits<T>((k + 1023) << 52);
 }
