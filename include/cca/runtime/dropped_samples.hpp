@@ -5,7 +5,8 @@
 //   c.dropped()            by all queues
 //
 // An input says the same of itself: `x.dropped()`. A program prints it in its summary (main/end_of_run.hpp).
-// Errors: cca::refused, if there is no such input, or another process runs its component.
+// Errors: wire.unknown_port; cca::refused, if there is no input of a path that is known only at run time, or
+// another process runs its component.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,18 @@ std::string path_of_input(int number) {
   return path_of_node<Graph>(reader.node) + "." + std::string(reader.function->inputs[in.port].name);
 }
 
+template <class Graph>
+constexpr bool is_input(std::string_view path) {
+  const auto dot = path.rfind('.');
+  if (dot == path.npos) return false;
+  const int node = node_at<Graph>(path.substr(0, dot));
+  for (int c = 0; node >= 0 && c < counts_of<Graph>.call_count; ++c)
+    if (const call& one = plan_of<Graph>.calls[array_size(c)]; one.node == node)
+      for (int p = 0; p < one.function->input_count; ++p)
+        if (one.function->inputs[p].name == path.substr(dot + 1)) return true;
+  return false;
+}
+
 // `Self` has for_each_state(f): f.template operator()<Graph>(state) for the state of each loop that it runs,
 // and refuse_if_elsewhere(node).
 template <class Self, class Graph>
@@ -42,6 +55,9 @@ class dropped_samples {
 public:
   template <fixed_string Path>
   std::int64_t dropped() const {
+    static_assert(is_input<Graph>(Path.view()),
+                  "wire.unknown_port: c.dropped<...>() names no input (the compiler prints the path): write "
+                  "`node.port`, from the outermost graph on");
     return dropped(Path.view());
   }
   std::int64_t dropped(std::string_view path) const {
