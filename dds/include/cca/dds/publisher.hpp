@@ -64,6 +64,11 @@ struct publisher : detail::publisher_of_space<Space, Topic, Quality> {
 };
 
 template <class Space, fixed_string Topic = "", class Quality = default_qos>
-struct command_publisher : detail::publisher_of_space<Space, Topic, Quality> {};
+struct command_publisher : detail::publisher_of_space<Space, Topic, Quality> {
+  static_assert(
+      !detail::is_kept<Quality>,
+      "cca::dds::command_publisher: a command must not be kept: a robot that comes later would obey an "
+      "old one; take `default_qos`");
+};
 
 }  // namespace cca::dds

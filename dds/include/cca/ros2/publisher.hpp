@@ -60,6 +60,11 @@ template <fixed_string Topic, class Message, class Quality = default_qos>
 struct publisher : detail::publisher_of<Topic, Message, Quality, typename Message::ports> {};
 
 template <fixed_string Topic, class Message, class Quality = default_qos>
-struct command_publisher : detail::command_publisher_of<Topic, Message, Quality, typename Message::ports> {};
+struct command_publisher : detail::command_publisher_of<Topic, Message, Quality, typename Message::ports> {
+  static_assert(
+      !detail::is_kept<Quality>,
+      "cca::ros2::command_publisher: a command must not be kept: a robot that comes later would obey an "
+      "old one; take `default_qos`");
+};
 
 }  // namespace cca::ros2

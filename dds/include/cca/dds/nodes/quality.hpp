@@ -7,7 +7,8 @@
 //   transient_local   reliable, kept for those that come later   what never ages: "tf_static", a map
 //
 // Of `transient_local` a publisher keeps its last message. A subscriber hears it whenever it comes, and it
-// does not age while no beat takes it; from a publisher that keeps nothing it hears nothing.
+// does not age while no beat takes it; from a publisher that keeps nothing it hears nothing. So it is for
+// what does not age at all, and no command may have it.
 //
 // A message may be one of many on its topic, as on "tf": it states how many are kept at least, `least_depth`.
 //
