@@ -104,10 +104,12 @@ static_assert(tells<hears<"**", int>, hears<"**", cca::latest>>(
      "cca::latest, cca::delayed<N> or cca::queue<C, F>, each as on a wire"}));
 static_assert(cca::diagnosis<hears<"**", cca::initial<1>>>.rule == "observe.bad_policy");
 struct watched_late : chain<cca::observe<"**", cca::delayed<1>>> {};
-static_assert(tells<watched_late, watched>(
+struct watched_merged : chain<cca::observe<"**", cca::merged<2>>> {};
+static_assert(tells<watched_merged, watched_late>(
     {"observe.bad_policy", "**",
-     "cca::observe<`**`> in watched_late has a policy, but the program reads the newest samples, between two "
-     "beats: leave it out"}));
+     "cca::observe<`**`> in watched_merged is cca::merged, but what it hears may be of several spaces, and "
+     "each "
+     "has a queue of its own: write cca::latest, cca::delayed<N> or cca::queue<C, F>, each as on a wire"}));
 
 // A queue that rejects is looked at as on a wire.
 template <class Strategy>

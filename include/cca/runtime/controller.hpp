@@ -32,6 +32,17 @@ public:
   void observed(F f) const {
     detail::observe_all<Graph>(state_of_all, k, f);
   }
+  // The same, and of a queue it takes what it has shown.
+  template <class F>
+  void observed(F f) {
+    detail::observe_all<Graph>(state_of_all, k, f);
+    detail::take_outside<Graph>(state_of_all);
+  }
+  // The newest samples, whatever the policies: for cca::live_access.
+  template <class F>
+  void observed_newest(F f) const {
+    detail::observe_newest_of<Graph>(state_of_all, k, f);
+  }
 
   // For the recorder of a recordable graph: called in each beat; null if nothing is recorded.
   void record_into(detail::beat_tap<Graph>* tap) noexcept

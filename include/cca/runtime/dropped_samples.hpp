@@ -32,6 +32,7 @@ struct has_own_queue {
 template <class Graph>
 std::string path_of_input(int number) {
   const input& in = plan_of<Graph>.inputs[array_size(number)];
+  if (in.outside) return path_of_output<Graph>(in.writer);  // an `observe` of the graph
   const call& reader = plan_of<Graph>.calls[array_size(in.call)];
   return path_of_node<Graph>(reader.node) + "." + std::string(reader.function->inputs[in.port].name);
 }

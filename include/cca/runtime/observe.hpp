@@ -30,8 +30,10 @@ constexpr link_range links_where(auto is_wanted) {
   return range;
 }
 template <class Graph, int Call>
-inline constexpr link_range links_of_call =
-    links_where<Graph>([](int i) { return plan_of<Graph>.inputs[static_cast<std::size_t>(i)].call == Call; });
+inline constexpr link_range links_of_call = links_where<Graph>([](int i) {
+  const input& own = plan_of<Graph>.inputs[static_cast<std::size_t>(i)];
+  return own.call == Call && !own.outside;
+});
 template <class Graph, int Observer>
 inline constexpr link_range links_of_observer = links_where<Graph>([](int i) { return i == Observer; });
 
@@ -197,6 +199,10 @@ struct is_watched {
   static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; }
 };
 template <class Graph>
+struct is_watched_newest {
+  static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched_newest; }
+};
+template <class Graph>
 struct is_watched_input {
   static constexpr bool holds(std::size_t i) { return plan_of<Graph>.inputs[i].watched; }
 };
@@ -243,17 +249,79 @@ void observe_shown(const controller_state<Graph>& state, std::int64_t k, F& f) {
                 room});
 }
 
-// All ports that an `observe` among the items of a graph names.
+// What the program reads by a policy, as over a wire: a queue shows its oldest sample, or what was taken
+// last.
+template <class Graph>
+struct is_read_outside {
+  static constexpr bool holds(std::size_t l) {
+    const auto& plan = plan_of<Graph>;
+    const input& own = plan.inputs[array_size(plan.links[l].observer)];
+    return own.outside && !plan.calls[array_size(own.call)].elsewhere;
+  }
+};
+template <class Graph>
+using links_outside =
+    chosen<graph_size<Graph>.watches == 0 ? 0 : counts_of<Graph>.link_count, is_read_outside<Graph>>;
+
+template <class Graph, int Link, class F>
+void observe_link(const controller_state<Graph>& state, std::int64_t k, F& f) {
+  constexpr int number = plan_of<Graph>.links[Link].observer;
+  constexpr place at = layout_of<Graph>.sources[number];
+  constexpr const auto& in = input_of<Graph, number>;
+  constexpr const space_info& space = space_of_input<Graph, number>;
+  const auto& stored = sample_in<Graph, at.array>(state, at.index);
+  const auto* sample = stored.show(k - 1, in.delay);
+  if (in.own_initial && sample && sample->origin() == never) sample = nullptr;
+  bool is_fresh = k > 0 && stored.arrived(k - 1, in.delay) == k - 1;
+  if constexpr (is_queued(in)) is_fresh = !stored.is_empty();
+  alignas(alignment_of_room) unsigned char room[room_of_sample(space.size)];
+  f(observation{
+      path_of_link<Graph, Link>.view(),
+      {sample ? sample->vector().data() : initial_of_input<Graph, number>(), array_size(space.size)},
+      sample ? sample->origin() : never,
+      is_fresh,
+      &space,
+      room});
+}
 template <class Graph, class F>
-void observe_all(const controller_state<Graph>& state, std::int64_t k, F& f) {
+void observe_outside([[maybe_unused]] const controller_state<Graph>& state,
+                     [[maybe_unused]] std::int64_t k,
+                     [[maybe_unused]] F& f) {
+  [&]<int... Link>(std::integer_sequence<int, Link...>) {
+    (observe_link<Graph, Link>(state, k, f), ...);
+  }(links_outside<Graph>{});
+}
+// The program has seen them: the next call shows the next ones.
+template <class Graph, int Link>
+void take_link([[maybe_unused]] controller_state<Graph>& state) {
+  constexpr int number = plan_of<Graph>.links[Link].observer;
+  constexpr place at = layout_of<Graph>.sources[number];
+  if constexpr (is_queued(input_of<Graph, number>)) sample_in<Graph, at.array>(state, at.index).take();
+}
+template <class Graph>
+void take_outside([[maybe_unused]] controller_state<Graph>& state) {
+  [&]<int... Link>(std::integer_sequence<int, Link...>) {
+    (take_link<Graph, Link>(state), ...);
+  }(links_outside<Graph>{});
+}
+
+// All ports that an `observe` among the items of a graph names: each as its policy says, or only the newest
+// samples.
+template <class Graph, class Outputs = is_watched<Graph>, class F>
+void observe_newest_of(const controller_state<Graph>& state, std::int64_t k, F& f) {
   [&]<int... Output>(std::integer_sequence<int, Output...>) {
     const int all[] = {0, (observe_newest<Graph, Output>(state, k, f), 0)...};
     (void)all;
-  }(chosen<counts_of<Graph>.output_count, is_watched<Graph>>{});
+  }(chosen<counts_of<Graph>.output_count, Outputs>{});
   [&]<int... Input>(std::integer_sequence<int, Input...>) {
     const int all[] = {0, (observe_shown<Graph, Input>(state, k, f), 0)...};
     (void)all;
   }(chosen<counts_of<Graph>.first_link, is_watched_input<Graph>>{});
+}
+template <class Graph, class F>
+void observe_all(const controller_state<Graph>& state, std::int64_t k, F& f) {
+  observe_newest_of<Graph, is_watched_newest<Graph>>(state, k, f);
+  observe_outside<Graph>(state, k, f);
 }
 
 }  // namespace cca::detail

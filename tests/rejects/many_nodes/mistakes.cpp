@@ -21,7 +21,7 @@
 // EXPECT space_mismatch: space\.mismatch: `extra\.y` publishes hip_angle \(joint_angles over hip\) but `end\.x` expects signal \(number over x\): the domain types differ; put a
 // EXPECT learner_request: learner\.request: `extra\.y` may request of `pupil\.learn` what is not possible there: `learn` needs a learner that learns online, and this one learns in batches only
 // EXPECT wire_unconnected_input: wire\.unconnected_input: `extra\.b` is not connected: in wire_unconnected_input, wire an output of signal \(number over x\) to `extra\.b`, or expose it,
-// EXPECT observe_bad_policy: observe\.bad_policy: cca::observe<`n7\.y`> in observe_bad_policy has a policy, but the program reads the newest samples, between two beats: leave it out
+// EXPECT observe_bad_policy: observe\.bad_policy: cca::observe<`n7\.y`> in observe_bad_policy is cca::merged, but what it hears may be of several spaces, and each has a queue of its own
 // EXPECT observe_nothing: observe\.nothing: `extra` \(listens_to<n7\.\*\.\*>\) observes `n7\.\*\.\*`, which names nothing in observe_nothing or in a graph around it, so it would hear nothing
 // EXPECT observe_queue: observe\.queue: `late` \(listens_to<extra\.\*\*, .*delayed<1>>\) observes `extra\.\*\*`, and so the input `extra\.x` later than it is read, but that has a queue
 // EXPECT plan_unknown_path: plan\.unknown_path: `extra` \(asks_for_path\) asks for `n7\.z`, which nobody publishes under what it observes \(`n7\.\*`\), so it would wait for ever; did you mean `n7\.y`
@@ -152,7 +152,7 @@ struct wire_unknown_port : fifty_nodes_and<at_1000_hz,
                                            cca::node<"extra", merge>,
                                            cca::wire<"n7.y", "extra.a">,
                                            cca::wire<"n8.out", "extra.b">> {};
-struct observe_bad_policy : fifty_nodes_and<at_1000_hz, cca::observe<"n7.y", cca::delayed<1>>> {};
+struct observe_bad_policy : fifty_nodes_and<at_1000_hz, cca::observe<"n7.y", cca::merged<4>>> {};
 struct observe_nothing : fifty_nodes_and<at_1000_hz, cca::node<"extra", listens_to<"n7.*.*">>> {};
 struct observe_queue : fifty_nodes_and<at_1000_hz,
                                        cca::node<"extra", sink>,

@@ -251,7 +251,7 @@ struct layout_step {
   // compare the initial values of large samples would take the compilers long.
   constexpr bool is_unique(const input& in) const {
     const auto space = port_of(g, in).space;
-    return !space || g.calls[in.call].elsewhere || space->size > most_compared;
+    return !space || in.outside || g.calls[in.call].elsewhere || space->size > most_compared;
   }
   // What stops and starts parts looks them up by its own number.
   constexpr bool is_unique(const call& c) const {

@@ -97,6 +97,7 @@ struct input {
   std::uint64_t counts_for = 0;  // of a way: the bits of the observers for which its samples count
   bool watched = false;          // an `observe` of the graph names it
   ref<item_info> watched_as = nullptr;
+  bool outside = false;     // no port: the program reads it, by an `observe` of the graph that has a policy
   std::uint64_t modes = 0;  // of a set of modes: those that have this queue
 };
 
@@ -107,7 +108,8 @@ enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, 
 struct output {
   int call = 0, port = 0;
   int first_reader = -1;
-  bool watched = false;  // an `observe` of the graph names it
+  bool watched = false;         // an `observe` of the graph names it
+  bool watched_newest = false;  // one that has no policy
   ref<item_info> watched_as = nullptr;
   storage_kind storage = storage_kind::none;
   int depth = 0;         // of the past, or of what arrives
@@ -118,7 +120,8 @@ struct output {
 };
 
 // What an observer hears: an output, or what another input shows. It comes by an input of its own, which
-// stands after those of all ports: the observer reads it as over a wire.
+// stands after those of all ports: the observer reads it as over a wire. Where the program observes,
+// `observer` is that input itself, which belongs to the call of the writer.
 struct link {
   int observer = 0;                   // its port
   int output = 0;                     // the writer
@@ -211,11 +214,11 @@ struct flat {
 constexpr std::array<ref<function_info>, 3> functions_of(const component_info& component) {
   return {component.sense, component.process, component.act};
 }
-constexpr const port_info& port_of(const flat_view& g, const input& i) {
-  return g.calls[i.call].function->inputs[i.port];
-}
 constexpr const port_info& port_of(const flat_view& g, const output& o) {
   return g.calls[o.call].function->outputs[o.port];
+}
+constexpr const port_info& port_of(const flat_view& g, const input& i) {
+  return i.outside ? port_of(g, g.outputs[i.writer]) : g.calls[i.call].function->inputs[i.port];
 }
 // Coordinates of what an input reads; an observer reads any space.
 constexpr int coordinates_of(const flat_view& g, const input& i) {

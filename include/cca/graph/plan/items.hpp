@@ -47,11 +47,14 @@ struct item_info {
   }
   // A wire whose samples wait in a queue.
   constexpr bool has_queue() const { return policy == policy_kind::queue || policy == policy_kind::merged; }
+  // Of an observe: what it shows is not just the newest sample.
+  constexpr bool has_policy() const { return delay > 0 || has_queue(); }
 };
 
 // How many of each a graph has, inner graphs included.
 struct graph_sizes {
   int nodes = 0, scopes = 0, calls = 0, inputs = 0, outputs = 0, exposes = 0, observers = 0, merged = 0;
+  int watches = 0;                   // an `observe` of the graph itself, with a policy
   int parts = 0, part_requests = 0;  // that may be stopped; results that stop or start one
 
   // Ways into the inputs: each wire that is merged with another one is a further one. It may lead to an input
@@ -236,6 +239,7 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       sizes.outputs += inner.outputs;
       sizes.exposes += inner.exposes;
       sizes.observers += inner.observers;
+      sizes.watches += inner.watches;
       sizes.parts += inner.parts;
       sizes.part_requests += inner.part_requests;
       sizes.merged += inner.merged;
@@ -251,6 +255,8 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       }
     } else if (item.kind == item_kind::expose) {
       ++sizes.exposes;
+    } else if (item.kind == item_kind::observe) {
+      sizes.watches += item.has_policy();
     } else if (item.policy == policy_kind::merged) {
       ++sizes.merged;
     }

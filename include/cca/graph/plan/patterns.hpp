@@ -166,7 +166,7 @@ constexpr int link_at(const flat_view& g, int call, std::string_view path, int s
   if (from_outermost) path.remove_prefix(1);
   for (int s = from_outermost ? 0 : scope; s >= 0; s = g.scopes[s].parent)
     for (int l = 0; l < g.link_count; ++l) {
-      if (g.inputs[g.links[l].observer].call != call) continue;
+      if (const auto& own = g.inputs[g.links[l].observer]; own.call != call || own.outside) continue;
       text known;
       add_path(known, path_from(g, name_of_link(g, g.links[l]), s));
       if (known.view() == path) return l;

@@ -86,7 +86,7 @@ inline constexpr flat_with<Graph, 0> connected_of = then<Graph>(flattened_of<Gra
 // How many links the observers of a graph have.
 template <class Graph>
 inline constexpr int link_count_of = [] {
-  if constexpr (graph_size<Graph>.observers == 0) {
+  if constexpr (graph_size<Graph>.observers == 0 && graph_size<Graph>.watches == 0) {
     return 0;
   } else {
     auto connected = connected_of<Graph>;

@@ -139,6 +139,10 @@ public:
   void observed(F f) const {
     placed::observe_here(k, f);
   }
+  template <class F>
+  void observed(F f) {
+    placed::observe_and_take_here(k, f);
+  }
 
   // As of a controller, and of its environments in this process.
   using told::for_each_trace, told::traced_into, told::for_each_tap, told::recorded_into;
@@ -152,12 +156,6 @@ private:
   std::int64_t next_beat_of(int environment) const {
     const std::int64_t own = looked_at[detail::array_size(environment)];
     return own > 0 ? own : k;
-  }
-  // The same as its loop counts: cycles of a free-running one.
-  template <int E>
-  std::int64_t next_of() const {
-    if constexpr (detail::is_free_running<D, E>) return loops.template at<E>().index();
-    else return next_beat_of(E);
   }
   void check_part(const char*, int part) const { placed::check_part_is_here(part); }
   void tell_part([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
@@ -176,7 +174,7 @@ private:
     if constexpr (detail::parts_kept<D> > 0) {
       auto& loop = loops.template at<E>();
       if (loop.state.parts[detail::array_size(part)].is_stopped == stops) return;
-      detail::change_part<detail::part<D, E>>(loop.state, part, stops, next_of<E>());
+      detail::change_part<detail::part<D, E>>(loop.state, part, stops, placed::template next_of<E>(*this));
       loop.tell_part(part, stops, false, next_beat_of(E));
     }
   }
@@ -323,7 +321,8 @@ private:
   using host::idle, host::move, host::now, host::reason;
   using placed::component, placed::component_of, placed::visit, placed::for_each_part_state,
       placed::for_each_state;
-  using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in;
+  using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in,
+      placed::observed_newest;
   using placed::loops, placed::here;
 
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns

@@ -66,7 +66,7 @@ template <class D, int Way>
 struct kept_on_way {
   static constexpr int output = input_of<D, Way>.writer;
   first_samples<size_of_output<D, output> + (is_gathered<D, output> ? 1 : 0), input_of<D, Way>.wire->capacity>
-      first;
+      kept;
 };
 template <class D, int E>
 struct leaving_results {
@@ -187,7 +187,7 @@ struct exchange<D,
   // What came first on a way into a queue.
   template <int Number>
   auto& first_on_way() {
-    return static_cast<kept_on_way<D, Number>&>(*this).first;
+    return static_cast<kept_on_way<D, Number>&>(*this).kept;
   }
   // An output is published in beat k.
   template <int Number, class Vector>

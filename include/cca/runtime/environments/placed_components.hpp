@@ -55,8 +55,14 @@ protected:
   static void for_each_part_state(int number, F f, Placed& self) {
     self.loops.for_each([&]<int E>(auto& loop) {
       if (self.here[E] && has_part<D, E>(number))
-        f.template operator()<part<D, E>>(loop.state, self.template next_of<E>());
+        f.template operator()<part<D, E>>(loop.state, next_of<E>(self));
     });
+  }
+  // The next beat of an environment, or cycle, as its loop counts.
+  template <int E, class Placed>
+  static std::int64_t next_of(const Placed& self) {
+    if constexpr (is_free_running<D, E>) return self.loops.template at<E>().index();
+    else return self.next_beat_of(E);
   }
   void check_part_is_here(int number) const {
     for (int node = 0; node < counts_of<D>.node_count; ++node)
@@ -81,7 +87,28 @@ protected:
   // f(observation) for each output that an `observe` names, before beat k, in declaration order.
   template <class F>
   void observe_here(std::int64_t k, F& f) const {
-    for_each_watched([&]<int E, class Observed>() {
+    observe_newest_here<is_watched_newest<D>>(k, f);
+    loops.for_each([&]<int E>(const auto& loop) {
+      if (here[E]) observe_outside<part<D, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
+    });
+  }
+  template <class F>
+  void observe_and_take_here(std::int64_t k, F& f) {
+    observe_here(k, f);
+    loops.for_each([&]<int E>(auto& loop) {
+      if (here[E]) take_outside<part<D, E>>(loop.state);
+    });
+  }
+  // The newest samples, whatever the policies, of which only the origins matter.
+  template <class F>
+  void observed_newest(F f) const {
+    loops.for_each([&]<int E>(const auto&) {
+      if (here[E]) observed_in<E>(f);
+    });
+  }
+  template <class Outputs, class F>
+  void observe_newest_here(std::int64_t k, F& f) const {
+    for_each_watched<Outputs>([&]<int E, class Observed>() {
       const auto& loop = loops.template at<E>();
       if (here[E])
         Observed::template show<part<D, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
@@ -90,7 +117,7 @@ protected:
   // Of one environment, between two of its beats.
   template <int Environment, class F>
   void observed_in(F& f) const {
-    for_each_watched([&]<int E, class Observed>() {
+    for_each_watched<is_watched<D>>([&]<int E, class Observed>() {
       if constexpr (E == Environment)
         Observed::template show<part<D, E>>(loops.template at<E>().state, loops.template at<E>().index(), f);
     });
@@ -115,13 +142,13 @@ private:
       observe_shown<Part, Input>(state, k, f);
     }
   };
-  template <class F>
+  template <class Outputs, class F>
   static void for_each_watched(F f) {
     [&]<int... Output>(std::integer_sequence<int, Output...>) {
       (f.template
        operator()<environment_of<call_of<D, output_of<D, Output>.call>.node>, watched_output<Output>>(),
        ...);
-    }(chosen<counts_of<D>.output_count, is_watched<D>>{});
+    }(chosen<counts_of<D>.output_count, Outputs>{});
     [&]<int... Input>(std::integer_sequence<int, Input...>) {
       (f.template
        operator()<environment_of<call_of<D, input_of<D, Input>.call>.node>, watched_input<Input>>(),

@@ -54,13 +54,18 @@ struct live_components {
   template <class Controller, class F>
   static void for_each_output(const Controller& c, F f) {
     if constexpr (requires { c.observed_in_any_mode(f); }) c.observed_in_any_mode(f);
-    else c.observed(f);
+    else c.observed_newest(f);
+  }
+  // Of all loops, while they rest.
+  template <class Controller, class F>
+  static void observe_all(const Controller& c, F f) {
+    c.observed_newest(f);
   }
   // Of one loop, between two of its beats.
   template <int Loop, class Controller, class F>
   static void observe(const Controller& c, F f) {
     if constexpr (requires { c.template observed_in<Loop>(f); }) c.template observed_in<Loop>(f);
-    else c.observed(f);
+    else c.observed_newest(f);
   }
 
   // A part stops or starts, as far as this loop has it.

@@ -37,7 +37,7 @@ protected:
                            known != outputs.end() ? &*known : &outputs.emplace_back(o.path, o.values.size()));
     });
     std::ranges::sort(by_text, std::less<>(), &entry::first);
-    c.observed([&](const observation& o) {
+    live_components::observe_all(c, [&](const observation& o) {
       if (o.origin != never) put(o);
     });
   }

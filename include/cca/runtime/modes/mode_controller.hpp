@@ -84,6 +84,18 @@ public:
   void observed(F f) const {
     with_mode(active, [&]<int I>() { detail::observe_all<detail::mode_part<M, I>>(state_of_all, k, f); });
   }
+  template <class F>
+  void observed(F f) {
+    with_mode(active, [&]<int I>() {
+      detail::observe_all<detail::mode_part<M, I>>(state_of_all, k, f);
+      detail::take_outside<detail::mode_part<M, I>>(state_of_all);
+    });
+  }
+  template <class F>
+  void observed_newest(F f) const {
+    with_mode(active,
+              [&]<int I>() { detail::observe_newest_of<detail::mode_part<M, I>>(state_of_all, k, f); });
+  }
 
   // As of a controller of a graph.
   template <class F>
@@ -181,7 +193,7 @@ private:
   template <class F>
   void observed_in_any_mode(F f) const {
     for (int m = 0; m < all.count; ++m)
-      with_mode(m, [&]<int I>() { detail::observe_all<detail::mode_part<M, I>>(state_of_all, k, f); });
+      with_mode(m, [&]<int I>() { detail::observe_newest_of<detail::mode_part<M, I>>(state_of_all, k, f); });
   }
 
   void advance() noexcept {

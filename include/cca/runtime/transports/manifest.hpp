@@ -82,6 +82,12 @@ std::string manifest_of() {
     }
   for (int l = 0; l < g.link_count; ++l) {
     const auto& heard = g.links[l];
+    if (const auto& own = g.inputs[heard.observer]; own.outside) {
+      text << "the program reads " << port(g.outputs[heard.output]) << ", " << own.delay << " beats later, ";
+      write_policy(text, *own.wire);
+      text << '\n';
+      continue;
+    }
     text << "observer " << port(g.inputs[heard.observer]) << " of "
          << (heard.input < 0 ? port(g.outputs[heard.output]) : "input " + port(g.inputs[heard.input]))
          << ", ";

@@ -59,7 +59,7 @@ constexpr flat_view find_clocks(flat_view g) {
   }
   for (int i = 0; i < g.input_count; ++i) {
     const auto& in = g.inputs[i];
-    if (in.writer >= 0 && (i < g.first_link || in.queue >= 0))
+    if (in.writer >= 0 && !in.outside && (i < g.first_link || in.queue >= 0))
       check<when::clocked_wire>(
           g, {.item = in.wire, .scope = scope_of_call(g, g.calls[in.call]), .input = i, .output = in.writer});
   }

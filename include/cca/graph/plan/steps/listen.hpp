@@ -1,6 +1,7 @@
 // Step 3, listen: binds observers to what their patterns name. An observer reads each of them as over a wire
 // of its own, by an input after those of all ports, so the steps that follow know nothing of observers. What
-// a graph itself observes is marked: it can be read between beats.
+// a graph itself observes is marked: it can be read between beats. Where it says how, by a
+// policy, the program reads it by an input of its own.
 //
 // Asks the rules about patterns. Cost: none in a graph that observes nothing.
 #pragma once
@@ -18,8 +19,24 @@ struct listener {
     const auto& policy = port_of(g, own).policy();
     const int reader = g.input_count++;
     g.links[g.link_count++] = {observer, writer, shown, as};
+    g.inputs[reader] = {.call = own.call, .port = own.port};
+    read(reader, writer, shown, policy);
+    if (shown < 0) return;
+    const auto& t = g.calls[own.call];
+    check<when::heard_input>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .input = reader});
+  }
+
+  // The program hears it, where its writer is.
+  constexpr void watch(const item_info& item, int in_scope, int writer, int shown, ref<item_info> as) {
+    const int reader = g.input_count++;
+    g.links[g.link_count++] = {reader, writer, shown, as};
+    g.inputs[reader] = {.call = g.outputs[writer].call, .outside = true};
+    read(reader, writer, shown, item);
+    if (shown >= 0) check<when::heard_input>(g, {.item = &item, .scope = in_scope, .input = reader});
+  }
+
+  constexpr void read(int reader, int writer, int shown, const item_info& policy) {
     auto& in = g.inputs[reader];
-    in = {.call = own.call, .port = own.port};
     if (shown < 0) {
       bind_wire(g, writer, reader, policy);
       if (policy.has_queue()) in.queue = g.queue_count++;
@@ -37,8 +54,6 @@ struct listener {
       in.shows = shown;
     }
     in.delay += policy.delay;
-    const auto& t = g.calls[own.call];
-    check<when::heard_input>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .input = reader});
   }
 
   constexpr void add_observer(int i) {
@@ -62,8 +77,10 @@ struct listener {
     };
     const int heard =
         for_each_named(g, item.from, in_scope, -1, [&](int writer, int input, ref<item_info> as) {
+          if (item.has_policy()) watch(item, in_scope, writer, input, as);
           if (input < 0) mark(g.outputs[writer], as);
-          else mark(g.inputs[input], as);
+          else if (!item.has_policy()) mark(g.inputs[input], as);
+          if (input < 0) g.outputs[writer].watched_newest |= !item.has_policy();
         });
     if (heard == 0) check<when::unheard_pattern>(g, facts);
   }
@@ -111,6 +128,11 @@ constexpr int count_links(const flat_view& g) {
       count += for_each_named(g, port_of(g, in).name, scope_of_call(g, g.calls[in.call]), in.call,
                               [](int, int, ref<item_info>) {});
   }
+  for (int s = 0; s < g.scope_count; ++s)
+    for (int i = 0; i < g.scopes[s].graph->count; ++i)
+      if (const auto& item = g.scopes[s].graph->items[i];
+          item.kind == item_kind::observe && item.has_policy())
+        count += for_each_named(g, item.from, s, -1, [](int, int, ref<item_info>) {});
   return count;
 }
 

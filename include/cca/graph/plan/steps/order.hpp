@@ -15,7 +15,7 @@ constexpr void for_each_follower(const flat_view& g, int call_index, F f) {
   const auto& t = g.calls[call_index];
   for (int o = t.first_output; o < t.first_output + t.function->output_count; ++o)
     for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (const auto& in = g.inputs[i]; in.delay == 0) {
+      if (const auto& in = g.inputs[i]; in.delay == 0 && !in.outside) {
         f(in.call);
         for (int h = g.first_link; in.queue >= 0 && h < g.input_count; ++h)
           if (g.inputs[h].shows == (in.way_of >= 0 ? in.way_of : i)) f(g.inputs[h].call);
@@ -56,7 +56,7 @@ struct call_sorter {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& to = g.inputs[i];
       if (to.shows >= 0) return false;
-      if (to.writer < 0 || to.delay > 0) continue;
+      if (to.writer < 0 || to.delay > 0 || to.outside) continue;
       const auto& from = g.outputs[to.writer];
       if (g.calls[from.call].phase == g.calls[to.call].phase
               ? from.call >= to.call

@@ -1,4 +1,4 @@
-// observe.bad_policy: an observer has policies of a wire; what a graph itself observes has none.
+// observe.bad_policy: an observer has policies of a wire.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -11,8 +11,7 @@ struct observe_bad_policy {
   static constexpr bool is_broken(when::observer_policy, const flat_view& g, const finding& f) {
     const auto& policy = policy_of(g, f);
     return !policy.unknown_type.empty() || policy.repeats_option || policy.initial ||
-           policy.policy == policy_kind::merged || policy.too_small != policy_kind::unstated ||
-           (f.input < 0 && policy.policy != policy_kind::latest);
+           policy.policy == policy_kind::merged || policy.too_small != policy_kind::unstated;
   }
 
   static constexpr void tell(auto& m) {
@@ -36,11 +35,8 @@ struct observe_bad_policy {
       m.say()
           << " has an initial value, but what it hears may be of several spaces, and begins with the zero "
              "of each";
-    else if (!is_component)
-      m.say() << " has a policy, but the program reads the newest samples, between two beats: leave it out";
     else m.say() << " has two policies of one kind, or one with a number below 1";
-    if (is_component)
-      m.say() << ": write cca::latest, cca::delayed<N> or cca::queue<C, F>, each as on a wire";
+    m.say() << ": write cca::latest, cca::delayed<N> or cca::queue<C, F>, each as on a wire";
   }
 
 private:

@@ -10,7 +10,7 @@ struct observe_queue {
 
   static constexpr bool is_broken(when::heard_input, const flat_view& g, const finding& f) {
     const auto& heard = g.inputs[f.input];
-    return heard.shows >= 0 && port_of(g, heard).policy().delay > 0;
+    return heard.shows >= 0 && heard.delay > g.inputs[heard.shows].delay;
   }
   static constexpr bool is_broken(when::queue_shown_elsewhere, const flat_view&, const finding&) {
     return true;
@@ -18,10 +18,14 @@ struct observe_queue {
 
   static constexpr void tell(auto& m) {
     const auto& heard = m.g.inputs[m.found().input];
-    const auto pattern = port_of(m.g, heard).name;
+    const auto pattern = heard.outside ? m.item().from : port_of(m.g, heard).name;
     m.at_node();
-    m.node();
-    m.say() << " observes `" << pattern << "`, and so the input ";
+    if (heard.outside) {
+      m.say() << "cca::observe<`" << pattern << "`> in " << m.graph().name << " names the input ";
+    } else {
+      m.node();
+      m.say() << " observes `" << pattern << "`, and so the input ";
+    }
     m.port(m.g.inputs[heard.shows]);
     if (m.g.environment_count > 0 && m.g.nodes[m.g.calls[heard.call].node].environment !=
                                          m.g.nodes[m.g.calls[m.g.inputs[heard.shows].call].node].environment)

@@ -42,7 +42,7 @@ private:
     text nearest;
     std::size_t least = wrong.size() / 3 + 2;
     for (int l = 0; l < g.link_count; ++l) {
-      if (g.inputs[g.links[l].observer].call != call) continue;
+      if (const auto& own = g.inputs[g.links[l].observer]; own.call != call || own.outside) continue;
       text candidate;
       for (int s = scope; s >= 0 && candidate.size == 0; s = g.scopes[s].parent)
         add_path(candidate, path_from(g, name_of_link(g, g.links[l]), s));
