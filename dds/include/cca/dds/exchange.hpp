@@ -254,7 +254,8 @@ private:
 
   template <int Number, bool IsGathered>
   auto keep() {
-    return [this](std::uint64_t number, const auto& v, std::int64_t origin, std::int64_t k) {
+    // Not [this]: where no sample waits it would not be used.
+    return [&](std::uint64_t number, const auto& v, std::int64_t origin, std::int64_t k) {
       if constexpr (cca::detail::most_waiting<D, Number> > 0)
         if constexpr (IsGathered == cca::detail::is_gathered<D, Number>)
           own.template keep<Number>(number, v, origin, k);
