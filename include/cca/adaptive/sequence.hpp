@@ -30,8 +30,8 @@
 // begins again; timeouts and `after` go on. A value that has not been published yet counts as NaN, and not
 // as the zero of its space. Infinity compares like a number. Neither is kept.
 //
-// Errors: none in a beat; `unheard()` names unknown paths. plan.unknown_path. Cost: each path is searched
-// once; then one comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.
+// Errors: none in a beat; `unheard()` names unknown paths. plan.unknown_path, plan.unknown_step. Cost: each
+// path is searched once; then one comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.
 #pragma once
 
 #include <array>
@@ -42,6 +42,7 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/adaptive/plan/step_names.hpp>
 #include <cca/adaptive/plan/steps.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
@@ -51,9 +52,7 @@ namespace cca {
 // The state of a sequence: a value, for your own component, or inside the component of sequencer.hpp.
 template <class Plan>
 class sequence {
-  static_assert(Plan::well_named(),
-                "cca::steps: two steps have the same name, or then<...>, then_one_of<...> or or_after<...> "
-                "names an unknown step");
+  static_assert(sizeof(typename detail::refusal_of_steps<Plan>::type) != 0);
 
 public:
   // Call it once in a beat. Each of `told` is an `observe<...>`.

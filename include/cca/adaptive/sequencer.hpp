@@ -14,7 +14,8 @@
 //   fault             if a condition of your own asks for a path without a publisher and does not say so
 //
 // Paths in conditions are looked up as patterns are: in the graph of the sequencer, then in those around it.
-// Errors: observe.nothing; plan.unknown_path, if nobody publishes such a path under the scope.
+// Errors: observe.nothing; plan.unknown_path, if nobody publishes such a path under the scope;
+// plan.unknown_step.
 //
 // While an observed number is NaN, conditions hold as sequence.hpp says; all outputs stay finite, "status" is
 // `converging` or `reached` as before, and there is no fault.

@@ -1,0 +1,60 @@
+// What is wrong with the names in a plan, as a message of the compiler.
+// Errors: plan.unknown_step.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include <cca/base/nearest.hpp>
+#include <cca/base/text.hpp>
+#include <cca/base/type_name.hpp>
+#include <cca/graph/diagnosis/printed.hpp>
+
+namespace cca::detail {
+
+// The first mistake; empty: there is none.
+template <class Plan>
+constexpr text wrong_step_names() {
+  text said;
+  std::array<std::string_view, Plan::table.size()> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = Plan::table[i].name;
+  const auto is_known = [&](std::string_view step, const char* option, std::string_view name) {
+    if (said.size > 0 || Plan::find(name) >= 0) return;
+    said << "plan.unknown_step: the step `" << step << "` of " << type_name<Plan>() << " names `" << name
+         << "` in its cca::" << option << ", but the plan has no such step";
+    if (const auto near = nearest_name(name, names); !near.empty())
+      said << "; did you mean `" << near << "`?";
+    else said << ": add it, or name another one";
+  };
+  if (names.empty()) said << "plan.unknown_step: " << type_name<Plan>() << " has no step: name one or more";
+  for (int i = 0; i < Plan::count; ++i) {
+    const auto& one = Plan::table[static_cast<std::size_t>(i)];
+    if (said.size == 0 && Plan::find(one.name) != i)
+      said << "plan.unknown_step: two steps of " << type_name<Plan>() << " are named `" << one.name
+           << "`, so it has two meanings: give one of them another name";
+    if (!one.next.empty()) is_known(one.name, "then", one.next);
+    if (!one.otherwise.empty()) is_known(one.name, "or_after", one.otherwise);
+    for (int k = 0; k < one.choice_count; ++k)
+      is_known(one.name, "then_one_of", one.choices[static_cast<std::size_t>(k)]);
+  }
+  return said;
+}
+
+template <class Plan>
+struct said_of_steps {
+  static constexpr text said = wrong_step_names<Plan>();
+  static constexpr std::string_view view() { return said.view(); }
+};
+// Of a wrong plan a type without a size, which is the message.
+template <class Plan>
+struct refusal_of_steps {
+  using type = printed<said_of_steps<Plan>>;
+};
+template <class Plan>
+  requires(Plan::well_named())
+struct refusal_of_steps<Plan> {
+  using type = char;
+};
+
+}  // namespace cca::detail
