@@ -7,10 +7,13 @@
 //
 // A deployment is a graph too, that of its architecture: `check`, `diagnosis` and `describe` take it,
 // and `controller<split>` runs it as one loop. `deployed<split>` runs its environments.
+// The architecture may be a set of modes (cca/modes.hpp): then each of its modes is spread over the same
+// environments, and all of them switch in the same beat. Paths are those of any mode.
 // Errors: deployment.*, graph.unknown_item. Example: docs/environments.md.
 #pragma once
 
 #include <cca/graph/graph.hpp>
+#include <cca/graph/modes.hpp>
 
 namespace cca {
 
@@ -44,6 +47,10 @@ template <Graph Architecture>
 struct items_of_architecture<Architecture> {
   using cca_items = typename Architecture::cca_items;
 };
+template <Modes Architecture>
+struct items_of_architecture<Architecture> {
+  using cca_modes = typename Architecture::cca_modes;
+};
 
 }  // namespace detail
 
@@ -55,5 +62,12 @@ struct deployment : detail::items_of_architecture<Architecture> {
 };
 
 template <class Type> concept Deployment = Graph<Type> && requires { typename Type::cca_environments; };
+
+// A deployment of a set of modes.
+template <class Type> concept DeploymentOfModes =
+    Modes<Type> && requires { typename Type::cca_environments; };
+
+// What cca::deployed runs.
+template <class Type> concept AnyDeployment = Deployment<Type> || DeploymentOfModes<Type>;
 
 }  // namespace cca

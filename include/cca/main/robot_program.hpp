@@ -57,7 +57,7 @@ class robot_program {
 public:
   using architecture = Architecture;
   using controller_type =
-      std::conditional_t<Deployment<Architecture>, deployed<Architecture>, controller<Architecture>>;
+      std::conditional_t<AnyDeployment<Architecture>, deployed<Architecture>, controller<Architecture>>;
 
   std::string purpose = "runs " + std::string(detail::type_name<Architecture>());  // the first line of --help
   run_settings settings{};
@@ -99,7 +99,7 @@ public:
   // A transport is made of the text of the option, or of a whole number. `keep(transport)` is called if it is
   // chosen: a program can keep it, and ask it later.
   template <class Transport>
-    requires Deployment<Architecture>
+    requires AnyDeployment<Architecture>
   void transport(command_line& line,
                  std::string_view option,
                  std::string_view help,

@@ -33,7 +33,7 @@ namespace cca::detail {
 template <class Program>
 class robot_run {
   using controller_type = typename Program::controller_type;
-  static constexpr bool is_deployed = Deployment<typename Program::architecture>;
+  static constexpr bool is_deployed = AnyDeployment<typename Program::architecture>;
 
 public:
   robot_run(Program& of, std::string name) : program(of), called(std::move(name)) {}

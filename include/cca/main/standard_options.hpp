@@ -86,7 +86,7 @@ void offer_standard_options(command_line& line, Program& p) {
     line.number("--seconds S", s.seconds, 0.001, 1e9,
                 "how long, in virtual time (" + (s.seconds ? as_typed(*s.seconds) : "until a signal") + ")");
   if (!line.has("--pace")) offer_pace(line, s);
-  if constexpr (Deployment<typename Program::architecture>) {
+  if constexpr (AnyDeployment<typename Program::architecture>) {
     const auto environments = names_of_environments<typename Program::architecture>();
     line.value(
         "--only E,F", [&s, environments](const std::string& text) { take_names(text, environments, s.only); },
@@ -159,7 +159,7 @@ void refuse_contradictions(const command_line& line, const Program& p) {
   if (!p.settings.replay.empty() &&
       !(p.settings.record.empty() && p.settings.page.empty() && p.settings.trace.empty()))
     throw command_line_error("--replay: nothing is recorded or traced meanwhile");
-  if constexpr (Deployment<typename Program::architecture>) {
+  if constexpr (AnyDeployment<typename Program::architecture>) {
     const auto environments = names_of_environments<typename Program::architecture>();
     const auto& only = p.settings.only;
     if (p.others.open && only.empty())

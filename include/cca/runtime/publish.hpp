@@ -68,8 +68,8 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
   if constexpr (std::is_same_v<Returned, fault>) {
     if (returned) b.outcome = {returned.reason(), at.node};
   } else if constexpr (is_mode_request<Returned>) {
-    if constexpr (requires { b.state.request(returned); })
-      if (returned) b.state.request(returned);
+    if constexpr (requires { b.state.request(returned, 0); })
+      if (returned) b.state.request(returned, place_in_beat<Graph, Call>);
   } else if constexpr (std::is_same_v<Returned, done>) {
     constexpr int part = part_of_call_at<Graph, Call>;
     if (returned) b.state.parts[array_size(part)].is_stopped = b.state.parts[array_size(part)].rests = true;

@@ -248,6 +248,8 @@ private:
   void set_part(int part, bool stops) {
     if constexpr (parts_kept<Graph> > 0) {
       check_state(stops ? "stop" : "start", part);
+      if constexpr (requires(Self& s) { s.is_ordered(part, stops); })
+        if (self().is_ordered(part, stops)) return;
       bool is_change = false;
       Self::for_each_part_state(
           part,

@@ -75,18 +75,25 @@ struct traced_loops<deployed<D>> {
     all.track = name_of_environment<D>(array_size(environment));
     all.components = paths_of_components<D>();
     for (const auto& one : environments_of<D>::all) all.environments.push_back(one.name);
-    add_calls<D>(all.calls);
+    if constexpr (DeploymentOfModes<D>) {
+      for_each_deployed_mode<D>([&]<class Mode>() {
+        add_calls<Mode>(all.calls);
+        all.modes.push_back(Mode::cca_mode_name);
+      });
+    } else {
+      add_calls<D>(all.calls);
+    }
     return all;
   }
   static trace_track::room room(int) {
-    trace_track::room one{.in_beat = array_size(counts_of<D>.order_count)};
+    trace_track::room one{.in_beat = static_cast<std::size_t>(positions_in_beat<D>)};
     if constexpr (Recordable<D>)
       one.words = most_words(std::make_integer_sequence<int, environment_count<D>>{});
     return one;
   }
   template <int... E>
   static constexpr std::size_t most_words(std::integer_sequence<int, E...>) {
-    return std::max({std::size_t{0}, array_size(frame_layout_of<part<D, E>>.words)...});
+    return std::max({std::size_t{0}, array_size(frame_layout_of<loop_key<D, E>>.words)...});
   }
 };
 template <Modes M>

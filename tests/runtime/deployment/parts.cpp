@@ -8,6 +8,11 @@
 
 #include <cca/deployment.hpp>
 
+#include "asking.hpp"
+
+using deployment_test::asking;
+using deployment_test::which;
+
 namespace {
 
 struct number : cca::space<cca::number, cca::axes<cca::x>> {};
@@ -145,6 +150,50 @@ TEST_SUITE("parts of deployments") {
     check_equal(loop, spread);
     both([](auto& c) { c.stop(), c.start(); });
     both([](auto& c) { c.run(cca::for_beats<40>{}); });
+    check_equal(loop, spread);
+  }
+
+  TEST_CASE_TEMPLATE("in `between` of a fast run, after what components ask for", D, scattered<>, in_two<>) {
+    auto loop = running<cca::controller<skilled<-1>>>();
+    auto spread = running<cca::deployed<D>>();
+    const auto run = [](auto& c) {
+      c.run(cca::for_beats<400>{}, cca::as_fast_as_possible(), [](auto& now) {
+        const int what = which(now.beat_index(), 4);
+        if (what == 0) now.template stop<"mind">();
+        if (what == 1) now.template start<"mind">();
+        if (what == 2) now.stop("mind.reach");
+        if (what == 3) now.start("mind.reach");
+        return true;
+      });
+    };
+    run(loop);
+    run(spread);
+    check_equal(loop, spread);
+  }
+
+  TEST_CASE("from outside, a part stops in one and the same beat in all environments") {
+    using D = scattered<>;
+    constexpr const char* parts[] = {"mind", "mind.reach"};
+    auto loop = running<cca::controller<skilled<-1>>>();
+    auto spread = running<cca::deployed<D>>();
+    loop.run(cca::for_beats<400>{}, cca::as_fast_as_possible(), [&](auto& now) {
+      if (const int what = which(now.beat_index(), 4); what >= 0)
+        what < 2 ? now.stop(parts[what]) : now.start(parts[what - 2]);
+      return true;
+    });
+    cca::live_access live(spread);
+    int asked = 0;
+    const auto ask = [&](auto& at, auto& d) {
+      const int what = which(d.beat_index(), 4);
+      if (what < 0) return;
+      ++asked;
+      CHECK((what < 2 ? at.stop(parts[what]) : at.start(parts[what - 2])));
+    };
+    asking<D, decltype(ask)> outside{live, ask};
+    spread.run(cca::for_beats<400>{}, cca::as_fast_as_possible(), outside);
+    CHECK(live.is_taken());
+    CHECK_EQ(live.refused_by(), "");
+    CHECK_GT(asked, 20);
     check_equal(loop, spread);
   }
 

@@ -58,6 +58,14 @@ struct one : mode<reaching<1, cca::node<"mine", noting, cca::timed<1>>, cca::wir
 struct two : mode<reaching<2>> {};
 struct both : cca::modes<cca::mode<"one", one>, cca::mode<"two", two>> {};
 
+// All clocks are known in both modes, and one of them lacks the part.
+struct with_part : cca::graph<cca::rate<1000>,
+                              cca::node<"slow", counter, cca::timed<10>>,
+                              cca::node<"walk", noting, cca::stoppable<cca::timed<3>>>,
+                              cca::wire<"slow.y", "walk.x", cca::latest>> {};
+struct without_part : cca::graph<cca::rate<1000>, cca::node<"slow", counter, cca::timed<10>>> {};
+struct known_clocks : cca::modes<cca::mode<"with", with_part>, cca::mode<"without", without_part>> {};
+
 }  // namespace
 
 TEST_SUITE("parts in modes") {
@@ -91,6 +99,18 @@ TEST_SUITE("parts in modes") {
     CHECK_EQ(shared.dts,
              std::vector<double>{0.001, 0.001, 0.001, 0.001, 0.001, 0.001, 0.001, 0.001, 0.002, 0.002});
     CHECK_EQ(mine.stops, 2);
+  }
+
+  TEST_CASE("what has arrived before a part starts is not fresh, where all clocks are known") {
+    auto c = started<known_clocks>();
+    auto& walk = c.get<"walk">();
+    c.run(cca::for_beats<11>{});
+    c.stop<"walk">();
+    c.run(cca::for_beats<1>{});
+    c.start<"walk">();
+    c.run(cca::for_beats<10>{});
+    CHECK_EQ(walk.all, beats{0, 3, 6, 9, 12, 15, 18, 21});
+    CHECK_EQ(walk.news, std::vector<bool>{true, false, false, false, false, false, false, true});
   }
 
   TEST_CASE("components stop and start parts, and switch to a mode") {

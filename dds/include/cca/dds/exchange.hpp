@@ -85,19 +85,23 @@ private:
     all.manifest = cca::detail::manifest_of<D>();
     all.limits = {cca::detail::counts_of<D>.period, cca::detail::exchange<D>::calls_and_one,
                   cca::detail::counts_of<D>.node_count, cca::detail::most_ahead<D>};
+    if constexpr (DeploymentOfModes<D>) all.limits.modes = cca::detail::mode_count<D>;
     return all;
   }
   template <int Number>
     requires(cca::detail::is_request<D>(Number))
   static leaving_output facts_of_output() {
-    constexpr int from = Number - cca::detail::counts_of<D>.output_count;
-    constexpr int parts = cca::detail::counts_of<D>.part_count;
+    constexpr bool is_order = cca::detail::is_order<D>(Number);
+    constexpr int from =
+        (Number - cca::detail::counts_of<D>.output_count) % cca::detail::environment_count<D>;
+    constexpr int numbers = cca::detail::size_of_leaving<D, Number>;
     return {from,
-            "cca/" + std::string(cca::detail::name_of_environment<D>(from)) + "/parts",
-            "cca::parts_" + deployment_facts::as_text(parts),
-            static_cast<std::size_t>(parts),
+            "cca/" + std::string(cca::detail::name_of_environment<D>(from)) +
+                (is_order ? "/orders" : "/requests"),
+            "cca::requests_" + deployment_facts::as_text(numbers),
+            static_cast<std::size_t>(numbers),
             cca::detail::ring_capacity<D, Number>,
-            readers_of_requests<from>()};
+            is_order ? ~std::uint64_t{0} >> (64 - environment_count) : readers_of_requests<from>()};
   }
   template <int From>
   static constexpr std::uint64_t readers_of_requests() {
@@ -150,8 +154,7 @@ private:
   template <int Number>
   static constexpr std::uint64_t readers_of() {
     return []<int... E>(std::integer_sequence<int, E...>) {
-      return (std::uint64_t{0} | ... |
-              (std::uint64_t{cca::detail::comes<cca::detail::part<D, E>>::holds(Number)} << E));
+      return (std::uint64_t{0} | ... | (std::uint64_t{cca::detail::is_read_in<D, E, Number>()} << E));
     }(std::make_integer_sequence<int, cca::detail::environment_count<D>>{});
   }
 
@@ -180,6 +183,10 @@ private:
     to[status::length] = from.length;
     to[status::flags] = (from.is_exact ? status::is_exact : 0) | (from.all_meet ? status::all_meet : 0) |
                         (from.is_stopped ? status::is_stopped : 0) | (from.is_paused ? status::is_paused : 0);
+    if constexpr (DeploymentOfModes<D>) {
+      to[status::mode] = own.modes[e].mode;
+      to[status::switches] = own.modes[e].switches;
+    }
     to[status::overruns] = from.overruns;
     to[status::lost_periods] = from.lost_periods;
     for (std::size_t x = 0; x < environment_count; ++x) to.late[x] = from.late[x];
@@ -205,6 +212,10 @@ private:
       to.fault.position.store(from[status::fault_position], std::memory_order_release);
     }
     to.is_paused = (from[status::flags] & status::is_paused) != 0;
+    if constexpr (DeploymentOfModes<D>) {
+      own.modes[e].mode = from[status::mode];
+      own.modes[e].switches = from[status::switches];
+    }
     to.is_stopped.store((from[status::flags] & status::is_stopped) != 0, std::memory_order_release);
     to.stop_at.store(from[status::stop_at], std::memory_order_release);
     to.interval = from[status::interval];

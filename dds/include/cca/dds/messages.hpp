@@ -30,6 +30,7 @@ struct bounds {
   std::int64_t period = 1, calls_and_one = 1;
   int nodes = 0;
   std::int64_t ahead = 0;  // beats that an environment may be ahead
+  int modes = 1;
 
   std::int64_t last_beat() const { return (std::int64_t{1} << 62) / std::max(period, calls_and_one); }
   // How far ahead of all that is known here a message may be: a process that has not been heard for two
@@ -67,6 +68,8 @@ struct status {
     finished,
     beat,
     length,
+    mode,
+    switches,
     overruns,
     lost_periods,
     field_count
@@ -113,7 +116,8 @@ struct status {
     const auto& s = *this;
     const std::int64_t last = newest < 0 ? of.last_beat() : std::min(of.last_beat(), newest + of.window());
     const std::int64_t end = last * of.calls_and_one, most_runs = std::int64_t{1} << 40;
-    if (!is_in(s[flags], 0, 15)) return "flags that do not exist";
+    if (!is_in(s[flags], 0, 31)) return "flags that do not exist";
+    if (!is_in(s[mode], 0, of.modes - 1)) return "a mode that does not exist";
     if (!is_in(s[position], -1, end) || !is_in(s[begun], -1, last) || !is_in(s[beat], 0, last))
       return "a beat that can't be";
     if (!is_in(s[begun_age], 0, no_position / 2) || !is_in(s[interval], 0, no_position / (of.window() + 1)))
@@ -125,7 +129,7 @@ struct status {
     if (!is_in(s[arrived], 0, most_runs) || !is_in(s[ready], 0, most_runs) ||
         !is_in(s[finished], 0, most_runs))
       return "a run that can't be";
-    if (s[length] < 0 || s[overruns] < 0 || s[lost_periods] < 0 ||
+    if (s[length] < 0 || s[switches] < 0 || s[overruns] < 0 || s[lost_periods] < 0 ||
         std::ranges::any_of(
             late, [](std::int64_t n) { return n < 0; }) ||
         std::ranges::any_of(published, [](std::int64_t n) { return n < 0; }))

@@ -43,6 +43,10 @@ struct message_writer {
   constexpr void environment(int e) { say() << "environment `" << g.environments[e].name << "`"; }
   // mode `trot`
   constexpr void mode(int number) { say() << "mode `" << g.modes->modes[number].name << "`"; }
+  // Of a deployment of modes, while one of them is looked at: of mode `trot`
+  constexpr void of_mode() {
+    if (const auto& in = deployment().mode; !in.empty()) say() << " of mode `" << in << "`";
+  }
   constexpr double rate_of(int mode) const { return g.modes->modes[mode].plan->hz; }
   template <class Port>
   constexpr void port(const Port& p) {

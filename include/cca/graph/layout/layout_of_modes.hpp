@@ -20,11 +20,12 @@ inline constexpr auto layout_of<M> = [] {
 }();
 
 // The places of a mode are those of all modes.
-template <class M, int I>
-inline constexpr auto layout_of<mode_part<M, I>> = [] {
-  constexpr auto& size = graph_size<mode_part<M, I>>;
-  layout<size.nodes, size.calls, input_count_of<mode_part<M, I>>, size.outputs> result;
-  auto plan = plan_of<mode_part<M, I>>;
+template <ModeKey Mode>
+inline constexpr auto layout_of<Mode> = [] {
+  using M = set_of_key<Mode>;
+  constexpr auto& size = graph_size<Mode>;
+  layout<size.nodes, size.calls, input_count_of<Mode>, size.outputs> result;
+  auto plan = plan_of<Mode>;
   const auto g = plan.view();
   layout_step<decltype(result)>{g, result}.run();
 
@@ -32,6 +33,7 @@ inline constexpr auto layout_of<mode_part<M, I>> = [] {
   const auto view = shared_plan_of<M>.view_of(g, shown_plan<M>);
   for (int n = 0; n < g.node_count; ++n)
     result.components[n].index = whole.components[view.shared_node(n)].index;
+  result.firing_count = whole.firing_count;  // also of functions whose clock is known in this mode
   for (int c = 0; c < g.call_count; ++c) {
     result.calls[c].component = result.components[g.calls[c].node].index;
     result.calls[c].firing = whole.calls[view.shared_call(c)].firing;
@@ -40,10 +42,12 @@ inline constexpr auto layout_of<mode_part<M, I>> = [] {
     if (const int shared = view.shared_output(o); view.whole.outputs[shared].storage != storage_kind::none)
       result.outputs[o].index = whole.outputs[shared].index;
   for (int i = 0; i < g.input_count; ++i)
-    if (const auto& in = g.inputs[i]; in.queue >= 0) {
+    if (const auto& in = g.inputs[i]; g.calls[in.call].elsewhere) {
+      continue;
+    } else if (in.queue >= 0) {
       const int head = in.way_of >= 0 ? in.way_of : i;
       result.sources[i].index = whole.sources[sharing::find_queue(view, head, view.whole)].index;
-      if (is_on_the_way(in))
+      if (is_on_the_way(in) && result.on_the_way[i].array >= 0)
         result.on_the_way[i].index = whole.on_the_way[sharing::find_way(view, i, view.whole)].index;
     } else if (in.shows >= 0) {
       result.sources[i] = result.sources[in.shows];
@@ -57,7 +61,7 @@ inline constexpr auto layout_of<mode_part<M, I>> = [] {
 template <class M, int I, int Array>
 inline constexpr int shared_array = [] {
   int array = 0;
-  while (!layout_of<M>.arrays[array].stores_like(layout_of<mode_part<M, I>>.arrays[Array])) ++array;
+  while (!layout_of<M>.arrays[array].stores_like(layout_of<mode_key<M, I>>.arrays[Array])) ++array;
   return array;
 }();
 

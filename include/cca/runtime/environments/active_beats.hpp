@@ -17,6 +17,10 @@ struct clocks_of_environment {
   std::size_t count = 0;
 
   // A clock that is not known may tick in every beat.
+  template <class Others>
+  constexpr void add_all(const Others& others) {
+    for (std::size_t i = 0; i < others.count; ++i) add(others.all[i]);
+  }
   constexpr void add(clock c) {
     if (c.never()) return;
     if (c.dynamic()) c = every(1);
@@ -51,6 +55,14 @@ inline constexpr auto environment_clocks = [] {
   return clocks;
 }();
 
+// In any mode: it does not know before such a beat which one is active then.
+template <DeploymentOfModes D, int E>
+inline constexpr auto environment_clocks<D, E> = [] {
+  clocks_of_environment<D> clocks;
+  for_each_deployed_mode<D>([&]<class Mode>() { clocks.add_all(environment_clocks<Mode, E>); });
+  return clocks;
+}();
+
 // When samples enter its queues that must not wait for it elsewhere, or may be rejected.
 template <class D, int E>
 inline constexpr auto entry_clocks = [] {
@@ -64,6 +76,13 @@ inline constexpr auto entry_clocks = [] {
     if (environment_of(g, from.call) != E || may_fault_at_begin(in))
       clocks.add(shifted(published(g, from), in.delay));
   }
+  return clocks;
+}();
+
+template <DeploymentOfModes D, int E>
+inline constexpr auto entry_clocks<D, E> = [] {
+  clocks_of_environment<D> clocks;
+  for_each_deployed_mode<D>([&]<class Mode>() { clocks.add_all(entry_clocks<Mode, E>); });
   return clocks;
 }();
 

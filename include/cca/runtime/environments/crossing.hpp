@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <cca/graph/plan/deployment/part.hpp>
-#include <cca/runtime/stoppable_parts.hpp>
+#include <cca/runtime/environments/parts/who_asks.hpp>
 #include <cca/runtime/state.hpp>
 
 namespace cca::detail {
@@ -17,49 +16,6 @@ template <class D, int E>
 inline constexpr bool runs_in_cycles<part<D, E>> = is_free_running<D, E>;
 template <class Graph>
 inline constexpr bool runs_in_cycles<probed<Graph>> = runs_in_cycles<Graph>;
-
-// Whether an environment has a node of a part, and whether its components stop or start one.
-template <class D, int E>
-constexpr bool has_part(int number) {
-  for (int n = 0; n < counts_of<D>.node_count; ++n)
-    if (plan_of<D>.nodes[array_size(n)].environment == E && is_in_part<D>(n, number)) return true;
-  return false;
-}
-template <class D>
-constexpr bool asks_for_part(int environment, int number) {
-  for (int r = 0; r < counts_of<D>.request_count; ++r) {
-    const auto& request = plan_of<D>.requests[array_size(r)];
-    const int node = plan_of<D>.calls[array_size(request.call)].node;
-    if (request.part == number && plan_of<D>.nodes[array_size(node)].environment == environment) return true;
-  }
-  return false;
-}
-template <class D>
-constexpr bool asks_for_parts(int environment) {
-  for (int p = 0; p < counts_of<D>.part_count; ++p)
-    if (asks_for_part<D>(environment, p)) return true;
-  return false;
-}
-// What components of one environment ask for, of parts in another: it takes a beat, like a sample.
-template <class D, int To>
-constexpr bool is_asked_by(int from) {
-  for (int p = 0; p < counts_of<D>.part_count; ++p)
-    if (has_part<D, To>(p) && asks_for_part<D>(from, p)) return true;
-  return false;
-}
-
-// These requests leave as samples do, after the outputs: number `output_count + E` has those of environment
-// E. A coordinate for each part: its call's place in the order of a beat, from 1; below 0: to stop; 0:
-// nothing.
-template <class D>
-constexpr bool is_request(int leaving) {
-  return leaving >= counts_of<D>.output_count;
-}
-template <class D, int Leaving>
-inline constexpr int size_of_leaving = [] {
-  if constexpr (is_request<D>(Leaving)) return counts_of<D>.part_count;
-  else return size_of_output<D, Leaving>;
-}();
 
 template <class D>
 struct crossings {
@@ -96,6 +52,33 @@ inline constexpr auto crossings_of = [] {
   return found;
 }();
 
+// Of all modes: the samples of the one with the largest delay are kept in all of them, and what is needed in
+// one is waited for in all of them.
+template <DeploymentOfModes D>
+inline constexpr auto crossings_of<D> = [] {
+  crossings<D> found;
+  for_each_deployed_mode<D>([&]<class Mode>() {
+    const auto& one = crossings_of<Mode>;
+    for (int o = 0; o < counts_of<Mode>.output_count; ++o) {
+      int& largest =
+          found.largest_delay[array_size(view_of_deployed_mode<D, Mode::cca_mode>.shared_output(o))];
+      largest = std::max(largest, one.largest_delay[array_size(o)]);
+    }
+    for (std::size_t from = 0; from < found.least_delay.size(); ++from)
+      for (std::size_t to = 0; to < found.least_delay.size(); ++to)
+        if (const int delay = one.least_delay[from][to]; delay > 0) {
+          int& least = found.least_delay[from][to];
+          if (least == 0 || delay < least) least = delay;
+        }
+  });
+  [&]<int... To>(std::integer_sequence<int, To...>) {
+    for (int from = 0; from < environment_count<D>; ++from)
+      ((is_asked_by<D, To>(from) && To != from ? void(found.least_delay[array_size(from)][To] = 1) : void()),
+       ...);
+  }(std::make_integer_sequence<int, environment_count<D>>{});
+  return found;
+}();
+
 // Does another environment read it in the beat in which it is published?
 constexpr bool is_read_at_once(const flat_view& g, int output) {
   bool is_read = false;
@@ -120,13 +103,14 @@ template <class D>
 struct leaves_environment {
   static constexpr bool holds(std::size_t o) {
     const int number = static_cast<int>(o);
-    return is_request<D>(number) ? asks_for_parts<D>(number - counts_of<D>.output_count)
-                                 : crossings_of<D>.largest_delay[o] > 0;
+    return is_order<D>(number)     ? has_orders<D>
+           : is_request<D>(number) ? asks_for_changes<D>(number - counts_of<D>.output_count)
+                                   : crossings_of<D>.largest_delay[o] > 0;
   }
 };
-// Outputs and requests.
+// Outputs, requests and orders.
 template <class D>
-using all_that_leaves = chosen<counts_of<D>.output_count + environment_count<D>, leaves_environment<D>>;
+using all_that_leaves = chosen<counts_of<D>.output_count + 2 * environment_count<D>, leaves_environment<D>>;
 template <class D, int Leaving>
 inline constexpr int largest_delay_of = [] {
   if constexpr (is_request<D>(Leaving)) return 1;
@@ -137,7 +121,7 @@ template <class D, int E>
 struct leaves_by_clock {
   static constexpr bool holds(std::size_t o) {
     auto plan = plan_of<D>;
-    return crossings_of<D>.largest_delay[o] > 0 && environment_of(plan.view(), plan.outputs[o].call) == E &&
+    return plan_of<part<D, E>>.outputs[o].leaves && environment_of(plan.view(), plan.outputs[o].call) == E &&
            published(plan.view(), plan.outputs[o]).known();
   }
 };
@@ -147,6 +131,7 @@ struct leaves_by_clock {
 // one is read at once its reader looks at the position.
 template <class D, int E, int... Output>
 inline constexpr bool samples_tell = [] {
+  if constexpr (DeployedMode<D>) return false;  // another mode may lack the component
   auto plan = plan_of<D>;
   const flat_view g = plan.view();
   return !counts_of<part<D, E>>.may_fault && !asks_for_parts<D>(E) &&
@@ -155,9 +140,12 @@ inline constexpr bool samples_tell = [] {
           ...);
 }();
 
+template <DeploymentOfModes D, int E, int... Output>
+inline constexpr bool samples_tell<D, E, Output...> = false;
+
 template <class D, int Output>
 inline constexpr bool is_of_free_running = [] {
-  if constexpr (is_request<D>(Output)) return false;
+  if constexpr (is_request<D>(Output) || DeploymentOfModes<D> || DeployedMode<D>) return false;
   auto plan = plan_of<D>;
   return environments_of<D>::all[array_size(environment_of(plan.view(), plan.outputs[Output].call))]
       .is_free_running;
@@ -182,7 +170,7 @@ struct enters {
   static constexpr bool holds(std::size_t way) {
     const auto& plan = plan_of<Part>;
     const input& in = plan.inputs[way];
-    return is_queued(in) && !plan.calls[array_size(in.call)].elsewhere &&
+    return is_queued(in) && in.writer >= 0 && !plan.calls[array_size(in.call)].elsewhere &&
            plan.calls[array_size(plan.outputs[array_size(in.writer)].call)].elsewhere;
   }
 };
@@ -201,6 +189,22 @@ struct comes {
     return false;
   }
 };
+
+// Environment E reads an output from elsewhere, in some mode.
+template <class D, int E, int Output>
+constexpr bool is_read_in() {
+  if constexpr (DeploymentOfModes<D>) {
+    bool is_read = false;
+    for_each_deployed_mode<D>([&]<class Mode>() {
+      [&]<int... Own>(std::integer_sequence<int, Own...>) {
+        ((is_read |= shared_output_of<Mode, Own> == Output && comes<part<Mode, E>>::holds(Own)), ...);
+      }(std::make_integer_sequence<int, counts_of<Mode>.output_count>{});
+    });
+    return is_read;
+  } else {
+    return comes<part<D, E>>::holds(Output);
+  }
+}
 
 // Input number `i` has a queue that may reject what arrives when a beat begins.
 template <class Plan>
@@ -225,6 +229,17 @@ inline constexpr int most_waiting = [] {
   return most;
 }();
 
+template <DeploymentOfModes D, int Output>
+inline constexpr int most_waiting<D, Output> = [] {
+  int most = 0;
+  for_each_deployed_mode<D>([&]<class Mode>() {
+    [&]<int... Own>(std::integer_sequence<int, Own...>) {
+      ((most = shared_output_of<Mode, Own> == Output ? std::max(most, most_waiting<Mode, Own>) : most), ...);
+    }(std::make_integer_sequence<int, counts_of<Mode>.output_count>{});
+  });
+  return most;
+}();
+
 // The ways from one environment to another into a queue that keeps what came first.
 template <class D>
 struct keeps_first {
@@ -232,7 +247,7 @@ struct keeps_first {
     auto plan = plan_of<D>;
     const flat_view g = plan.view();
     const input& in = g.inputs[i];
-    return is_queued(in) && in.wire->full == full_kind::drop_newest &&
+    return is_queued(in) && in.writer >= 0 && in.wire->full == full_kind::drop_newest &&
            environment_of(g, in.call) != environment_of(g, g.outputs[in.writer].call);
   }
 };
@@ -264,17 +279,19 @@ inline constexpr std::int64_t most_ahead = 4 + std::min(std::ranges::max(crossin
 // beats behind. So the environment need not read the writer's position.
 template <class D, int From, int To>
 inline constexpr bool samples_show_progress = [] {
-  return []<int... Output>(std::integer_sequence<int, Output...>) {
-    auto plan = plan_of<D>;
-    const flat_view g = plan.view();
-    const int delay = crossings_of<D>.least_delay[From][To];
-    [[maybe_unused]] const auto shows = [&](const output& from) {
-      const clock ticks = published(g, from);
-      return environment_of(g, from.call) == From && ticks.known() &&
-             ticks.first + delay <= most_ahead<D> + 1 && ticks.period - 1 + delay <= most_ahead<D>;
-    };
-    return samples_tell<D, From, Output...> && (shows(plan.outputs[Output]) || ...);
-  }(chosen<counts_of<D>.output_count, comes<part<D, To>>>{});
+  if constexpr (DeploymentOfModes<D> || DeployedMode<D>) return false;
+  else
+    return []<int... Output>(std::integer_sequence<int, Output...>) {
+      auto plan = plan_of<D>;
+      const flat_view g = plan.view();
+      const int delay = crossings_of<D>.least_delay[From][To];
+      [[maybe_unused]] const auto shows = [&](const output& from) {
+        const clock ticks = published(g, from);
+        return environment_of(g, from.call) == From && ticks.known() &&
+               ticks.first + delay <= most_ahead<D> + 1 && ticks.period - 1 + delay <= most_ahead<D>;
+      };
+      return samples_tell<D, From, Output...> && (shows(plan.outputs[Output]) || ...);
+    }(chosen<counts_of<D>.output_count, comes<part<D, To>>>{});
 }();
 
 // Those that write to an environment, and all if it is the first, see from its samples how far it is.

@@ -30,6 +30,8 @@
 #include <cca/runtime/environments/environment_threads.hpp>
 #include <cca/runtime/environments/figures_of_runs.hpp>
 #include <cca/runtime/environments/meeting.hpp>
+#include <cca/runtime/environments/modes/mode_of_deployed.hpp>
+#include <cca/runtime/environments/parts/ordered_changes.hpp>
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/environments/placed_components.hpp>
 #include <cca/runtime/refusal.hpp>
@@ -42,7 +44,7 @@ namespace cca {
 // A deployment that breaks a rule gives one error, which is the message.
 template <class D>
 class deployed : public controller<D> {
-  static_assert(Deployment<D> || !well_formed<D>,
+  static_assert(AnyDeployment<D> || !well_formed<D>,
                 "cca::deployed: its argument is no deployment: give it a struct derived from "
                 "cca::deployment<Architecture, cca::environment<...>, ...>, or run the graph by "
                 "cca::controller<Graph>");
@@ -52,19 +54,25 @@ public:
 };
 
 template <class D>
-  requires Deployment<D> && well_formed<D>
+  requires AnyDeployment<D> && well_formed<D>
 class deployed<D> : public detail::component_host<deployed<D>, D>,
                     public detail::figures_of_runs<deployed<D>, D>,
+                    public detail::mode_of_deployed<deployed<D>, D>,
+                    detail::ordered_changes<deployed<D>, D>,
                     detail::told_environments<D> {
   using host = detail::component_host<deployed<D>, D>;
   using placed = detail::placed_components<D>;
   using told = detail::told_environments<D>;
+  using own_mode = detail::mode_of_deployed<deployed<D>, D>;
+  using changes = detail::ordered_changes<deployed<D>, D>;
   friend host;
   friend placed;
   friend detail::live_components;
   friend detail::stoppable_parts<deployed<D>, D>;
   friend detail::dropped_samples<deployed<D>, D>;
   friend detail::figures_of_runs<deployed<D>, D>;
+  friend own_mode;
+  friend changes;
 
 public:
   using host::period;  // any thread, at any time
@@ -72,7 +80,10 @@ public:
   // ---- one thread at a time, between two runs ----
 
   // All environments in this process.
-  deployed() : shared(std::make_shared<detail::exchange<D>>()) { here.fill(true); }
+  deployed() : shared(std::make_shared<detail::exchange<D>>()) {
+    here.fill(true);
+    own_mode::choose_teller();
+  }
 
   // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
   // the deployment doesn't have, or that another process runs, and a process of another deployment.
@@ -88,6 +99,7 @@ public:
       shared = {medium, medium->exchanged()};
       others = std::move(medium);
     }
+    own_mode::choose_teller();
   }
   deployed(deployed&&) = default;  // between two runs
   deployed& operator=(deployed&&) = default;
@@ -123,10 +135,12 @@ public:
 
   // As of a controller. Where other processes run environments, their run ends with stop() too.
   void start() {
+    const typename own_mode::hooks_of_active_mode now_on(*this);
     host::start();
     tell_stopped(false);
   }
   void stop() {
+    const typename own_mode::hooks_of_active_mode now_on(*this);
     host::stop();
     tell_stopped(true);
   }
@@ -152,12 +166,12 @@ public:
   void parameters_changed() noexcept { told::parameters_changed(now == cca::state::running, first_here()); }
 
 private:
-  // Where its environment is, if that looks at it now; else all are at rest.
-  std::int64_t next_beat_of(int environment) const {
-    const std::int64_t own = looked_at[detail::array_size(environment)];
-    return own > 0 ? own : k;
+  void check_part(const char* call, int part) const {
+    placed::check_part_is_here(part);
+    own_mode::check_part_of_mode(call, part);
   }
-  void check_part(const char*, int part) const { placed::check_part_is_here(part); }
+  bool is_here(int node) const { return placed::is_here(node) && own_mode::has_hooks(node); }
+
   void tell_part([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
     loops.for_each([&]<int E>(auto& loop) {
       if (here[E]) loop.tell_part(part, stops, false, next_beat_of(E));
@@ -168,32 +182,9 @@ private:
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].forget_figures();
   }
-  // In the thread of an environment, between two of its beats.
-  template <int E>
-  void set_part_in(int part, bool stops) {
-    if constexpr (detail::parts_kept<D> > 0) {
-      auto& loop = loops.template at<E>();
-      if (loop.state.parts[detail::array_size(part)].is_stopped == stops) return;
-      detail::change_part<detail::part<D, E>>(loop.state, part, stops, placed::template next_of<E>(*this));
-      loop.tell_part(part, stops, false, next_beat_of(E));
-    }
-  }
-  int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
-
   void tell_stopped(bool is_stopped) {
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].is_stopped.store(is_stopped, std::memory_order_release);
-  }
-
-  // While it waits for others there is no beat after which `between` could be asked; what ends a run at any
-  // time has `is_over()` (cca::interruption).
-  template <class Between>
-  static bool is_over([[maybe_unused]] const Between& between) {
-    if constexpr (requires {
-                    { between.is_over() } -> std::same_as<bool>;
-                  })
-      return between.is_over();
-    else return false;
   }
 
   // False: another process has stopped, and there is no run.
@@ -213,8 +204,10 @@ private:
     detail::meeting<D> together(*shared, here, others.get());
     auto idle_beats = detail::idle_beats_at(pace, period());
     const auto meanwhile = [this] { idle(); };
-    const auto terms = together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats,
-                                      meanwhile, [&] { return !is_over(between); });
+    detail::terms_of_run wanted{k, 0, wants_exact, wants_to_meet};
+    own_mode::tell_mode(wanted);
+    const auto terms = together.agree(wanted, beats, longest_wait, idle_beats, meanwhile,
+                                      [&] { return !detail::wants_end(between); });
     if (terms.is_stopped) return false;
     if (terms.is_off) return true;
     if (terms.is_exact && !wants_exact) idle_beats = detail::idle_beats_at(as_fast_as_possible(), period());
@@ -227,11 +220,14 @@ private:
           loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead<D>,
                        terms.beat);
       });
+      own_mode::join_mode(terms);
+      changes::begin_run(terms.is_exact);
       together.begin(idle_beats, meanwhile);
       loops.for_each([&]<int E>(auto& first) {
         if (E != first_here()) return;
         const auto after_beat = [&] {
           last_seen = k = first.k;
+          take_changes_at_rest();
           look_after<E>(between);
           return detail::goes_on_after(between, *this);
         };
@@ -302,14 +298,16 @@ private:
     const auto& first = *std::ranges::min_element(shared->environments, {}, [](const auto& e) {
       return e.fault.position.load(std::memory_order_acquire);
     });
+    changes::end_run();
     const std::int64_t fault_at = first.fault.position;
     const bool is_faulted = fault_at != detail::no_position;
     if (terms.is_exact && is_faulted) k = fault_at / detail::exchange<D>::calls_and_one + 1;
     loops.for_each([&]<int E>(auto& loop) {
       if (!here[E]) return;
       loop.handle_fault();
-      loop.settle_parts(is_faulted ? k - 1 : k);
-      if (is_faulted) loop.state.settle_queues(k - 1);
+      loop.settle_changes(is_faulted ? k - 1 : k, k, !is_faulted);
+      if constexpr (!DeploymentOfModes<D>)  // theirs are all delayed
+        if (is_faulted) loop.state.settle_queues(k - 1);
       loop.skip_to(k);
     });
     if (!is_faulted) return;
@@ -318,12 +316,15 @@ private:
     now = detail::after(detail::transition::fail, now);
   }
 
+  using changes::next_beat_of, changes::first_here, changes::is_at_rest,
+      changes::is_ordered, changes::take_changes_at_rest, changes::next_of_first_here, changes::needs_order,
+      changes::order, changes::order_at_rest, changes::set_part_in, changes::is_computing;
   using host::idle, host::move, host::now, host::reason;
   using placed::component, placed::component_of, placed::visit, placed::for_each_part_state,
       placed::for_each_state;
-  using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in,
-      placed::observed_newest;
   using placed::loops, placed::here;
+  using placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in,
+      placed::observed_newest, placed::observed_in_any_mode, placed::next_of;
 
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
 

@@ -14,6 +14,7 @@
 #include <cca/runtime/environments/free_running/cycles.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/modes/mode_of_loop.hpp>
 #include <cca/runtime/environments/parts/asked_of_loop.hpp>
 #include <cca/runtime/environments/samples/repeat_firings.hpp>
 #include <cca/runtime/environments/waiting/beats_of_first.hpp>
@@ -29,15 +30,20 @@ class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D>,
                                      beats_of_others<environment_loop<D, E>>,
                                      public cycles_of<environment_loop<D, E>, D, E>,
                                      admission_of<environment_loop<D, E>, D, E>,
-                                     public asked_of_loop<environment_loop<D, E>, D, E> {
-  using graph = part<D, E>;
+                                     public asked_of_loop<environment_loop<D, E>, D, E>,
+                                     public mode_of_loop<environment_loop<D, E>, D, E> {
+  using graph = loop_key<D, E>;
   using first_beats = beats_of_first<environment_loop, D>;
   friend first_beats;
   friend cycles_of<environment_loop, D, E>;
   friend admission_of<environment_loop, D, E>;
   friend asked_of_loop<environment_loop, D, E>;
+  friend mode_of_loop<environment_loop, D, E>;
+  friend agreed_changes<D, E>;
   friend beats_of_others<environment_loop>;
   using first_beats::wait_for_beat;
+  using asked = asked_of_loop<environment_loop, D, E>;
+  using asked::tell, asked::tell_reached, asked::tell_skipped;
   static constexpr std::int64_t period = counts_of<D>.period;
   static constexpr bool is_free = is_free_running<D, E>;
 
@@ -46,7 +52,7 @@ public:
 
   std::int64_t k = 0;     // the next beat; asleep, the next in which something can fire
   std::int64_t done = 0;  // after the last beat that has run
-  kept_state<graph> state;
+  loop_state<D, E> state;
 
   // Before a run, while all environments rest. `ahead`: of the others, in a fast run.
   void prepare(
@@ -60,10 +66,10 @@ public:
     state.ahead = ahead;
     state.is_cut = false;
     state.forget_others();
-    state.requests.forget(exchanged);
+    state.changes.forget(exchanged);
     has_handled_fault = false;
     if constexpr (!is_free) skip_to(beat);
-    state.begin_queues(beat);
+    this->in_mode([&]<class Part>() { this->template links_in<Part>().begin_queues(beat); });
     own().begun = beat - 1;
     own().begun_at[0] = own().begun_at[1] = own().interval = 0;
     own().slowest.forget();
@@ -184,13 +190,13 @@ public:
   void skip_to(std::int64_t next) {
     if constexpr (is_free)
       if (!state.is_exact) return this->end_cycles(next);
-    for (std::int64_t skipped = std::max<std::int64_t>(k - 1, 0); skipped < next; ++skipped) {
-      repeat_outputs<graph>(state, index() + skipped - k);
-      state.repeat_leaving(skipped);
-      if (!state.is_exact) continue;
-      repeat_firings<D, E>(state, skipped);
-      repeat_publications<D, E>(state, skipped, index() + skipped - k);
-    }
+    for (std::int64_t skipped = std::max<std::int64_t>(k - 1, this->first_of_mode()); skipped < next;
+         ++skipped)
+      this->in_mode([&]<class Part>() {
+        repeat_outputs<Part>(state, index() + skipped - k);
+        this->template links_in<Part>().repeat_leaving(skipped);
+        if (state.is_exact) repeat_by_whole<deployment_of_part<Part>, E>(state, skipped, index() + skipped - k);
+      });
     this->skip_indices(next);
     if (next > k) tell_skipped(k, next - k, !state.is_exact);
     k = done = next;
@@ -228,13 +234,18 @@ private:
 
   // Of a recordable deployment: either beat is a function of its own, so that neither pays for the other.
   void run_beat() noexcept
-    requires(Recordable<graph>)
+    requires(DeploymentOfModes<D>)
+  {
+    this->run_beat_of_mode();
+  }
+  void run_beat() noexcept
+    requires(Recordable<graph> && !DeploymentOfModes<D>)
   {
     if (state.is_observed()) run_observed();
     else run_unseen();
   }
   [[gnu::flatten]] void run_beat() noexcept
-    requires(!Recordable<graph>)
+    requires(!Recordable<graph> && !DeploymentOfModes<D>)
   {
     run_beat_of<graph>();
   }
@@ -243,18 +254,21 @@ private:
 
   template <class Key>
   CCA_INLINE void run_beat_of() noexcept {
+    using mode = typename as_planned<Key>::type;
     const loop_observers observers = observers_in<Key>(state);
     const std::int64_t beat = this->beat_that_begins();
-    if (!state.is_exact)
+    auto& links = this->template links_in<mode>();
+    if (!DeploymentOfModes<D> && !state.is_exact)
       if (const int lost = state.count_late(k, observers); lost >= 0)
         return state_fault(observers, 0, lost_contact<D>(lost), -1);
-    if constexpr (is_probed<Key>) state.begin_frame(beat);
+    if constexpr (is_probed<Key> && DeploymentOfModes<D>) state.template begin_frame<mode>(beat);
+    else if constexpr (is_probed<Key>) state.begin_frame(beat);
     if constexpr (is_probed<Key>) this->tell_arrivals();
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
-      track->begin(beat);
+      track->begin(beat, this->template first_trace_name<mode>());
     this->begin_cycle(beat);
-    state.receive(state, beat);
-    this->take_part_requests(beat);
+    links.receive(state, beat);
+    if constexpr (!DeploymentOfModes<D>) this->take_changes(beat);
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
@@ -263,13 +277,14 @@ private:
       track->end();
     if constexpr (is_probed<Key>)
       if (!is_free || state.is_exact) state.end_frame();
-    if constexpr (asks_for_parts<D>(E))
-      if (state.is_asked) [[unlikely]] {
-        if (outcome.fault || state.is_cut) forget_requests(state);
+    if constexpr (asks_for_changes<D>(E))
+      if (this->is_asked()) [[unlikely]] {
+        if (outcome.fault || state.is_cut) this->forget_asked();
         else send_requests<D, E>(shared(), state, beat, state.is_exact);
       }
-    if constexpr (counts_of<graph>.may_fault)
-      if (outcome.fault) state_fault(observers, state.fault_rank, outcome.fault, outcome.node);
+    if constexpr (counts_of<mode>.may_fault)
+      if (outcome.fault)
+        state_fault(observers, state.fault_rank, outcome.fault, this->template node_of<mode>(outcome.node));
     if constexpr (is_free) {
       ++state.index;
       if (!state.is_exact) return shared().template results<E>().end_cycle();
@@ -296,19 +311,6 @@ private:
       announce();
     }
     return k == end;
-  }
-
-  // f(the observer of its beats), while it is recorded.
-  template <class F>
-  void tell([[maybe_unused]] F f) noexcept {
-    if constexpr (Recordable<D>)
-      if (auto* const tap = state.tap.get()) f(*tap);
-  }
-  void tell_reached() noexcept {
-    tell([this](loop_tap& tap) { tap.reach(next_beat()); });
-  }
-  void tell_skipped(std::int64_t first, std::int64_t count, bool by_clock) noexcept {
-    tell([&](loop_tap& tap) { tap.skipped(first, count, by_clock); });
   }
 
   void lose_until(std::int64_t next) {

@@ -83,6 +83,16 @@ inline constexpr int rejecting_entries = [] {
   return count;
 }();
 
+// How many numbers a beat has in a position: of a set of modes enough for each of them.
+template <class D>
+inline constexpr std::int64_t positions_in_beat = rejecting_entries<D> + counts_of<D>.order_count + 1;
+template <DeploymentOfModes D>
+inline constexpr std::int64_t positions_in_beat<D> = [] {
+  std::int64_t most = 0;
+  for_each_deployed_mode<D>([&]<class Mode>() { most = std::max(most, positions_in_beat<Mode>); });
+  return most;
+}();
+
 // Why an environment ended a run, and where.
 struct fault_record {
   static constexpr std::size_t most_letters = 120;
@@ -159,6 +169,18 @@ inline void add(std::atomic<std::int64_t>& number, std::int64_t some) noexcept {
   number.store(number.load(std::memory_order_relaxed) + some, std::memory_order_relaxed);
 }
 
+// Of a set of modes: the active mode of each environment between two runs, and how many switches there were.
+// The environment with most of them knows the mode of all.
+template <class D>
+struct modes_between_runs {};
+template <DeploymentOfModes D>
+struct modes_between_runs<D> {
+  struct record {
+    std::atomic<std::int64_t> mode{0}, switches{0};
+  };
+  std::array<record, array_size(environment_count<D>)> modes{};
+};
+
 template <class D,
           class Outputs = all_that_leaves<D>,
           class Free = free_environments<D>,
@@ -169,8 +191,8 @@ struct exchange<D,
                 std::integer_sequence<int, Output...>,
                 std::integer_sequence<int, Free...>,
                 std::integer_sequence<int, Way...>>
-    : leaving_samples<D, Output>..., leaving_results<D, Free>..., kept_on_way<D, Way>... {
-  static constexpr std::int64_t calls_and_one = rejecting_entries<D> + counts_of<D>.order_count + 1;
+    : leaving_samples<D, Output>..., leaving_results<D, Free>..., kept_on_way<D, Way>..., modes_between_runs<D> {
+  static constexpr std::int64_t calls_and_one = positions_in_beat<D>;
   static constexpr std::int64_t position_of(std::int64_t beat, int done = 0) {
     return beat * calls_and_one + done;
   }

@@ -10,7 +10,7 @@
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/fault_order.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
-#include <cca/runtime/environments/parts/part_requests.hpp>
+#include <cca/runtime/environments/samples/links_of_environment.hpp>
 #include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
 #include <cca/runtime/environments/queues/entries_in_beat.hpp>
@@ -32,38 +32,36 @@ class environment_links<D,
                         std::integer_sequence<int, Other...>,
                         std::integer_sequence<int, Arriving...>,
                         std::integer_sequence<int, Way...>>
-    : next_arrival<D, Arriving>...,
+    : public base_of_links<D, E>::type,
       public ways_of<environment_links<D, E>, D, E>,
-      public time_of_cycles<is_free_running<D, E>>,
       public entries_in_beat<environment_links<D, E>, D, E> {
   friend entries_in_beat<environment_links, D, E>;
   static constexpr bool is_free = is_free_running<D, E>;
+  using shared_by_all = whole_of<D>;
+  using base = typename base_of_links<D, E>::type;
 
 public:
-  exchange<D>* shared = nullptr;
-  const peers* others = nullptr;   // null: all environments are in this process
-  bool is_exact = false;           // in a fast run: waits for whatever a result depends on
-  std::int64_t ahead = 0;          // by how many beats at most, then
-  bool is_cut = false;             // a fault elsewhere comes before the next call of this beat
-  peers::bells* rings = nullptr;   // of a transport with threads of its own
-  const peers* courier = nullptr;  // one whose work this thread does
-  waiting_habit habit;
-  int fault_rank = 0;  // of the call that faulted here, in the order of the whole
-  [[no_unique_address]] arriving_requests<D, E> requests;  // for parts
+  using base::shared, base::others, base::is_exact, base::ahead, base::is_cut, base::rings, base::courier,
+      base::habit, base::fault_rank;
+  // Of this mode.
+  using ways_of<environment_links, D, E>::begin_queues;
+  using entries_in_beat<environment_links, D, E>::settle_queues,
+      entries_in_beat<environment_links, D, E>::enter_what_may_be_rejected,
+      entries_in_beat<environment_links, D, E>::enter_before;
 
   // A component publishes in beat k.
   template <int Output, class Vector>
   CCA_INLINE void send(const Vector& v, std::int64_t origin, std::int64_t k) {
     if constexpr (is_free)
       if (!is_exact) return shared->template results<E>().template put<Output>(v, origin);
-    shared->template put<Output>(v, origin, beat_at(k), is_exact);
+    shared->template put<shared_output_of<D, Output>>(v, origin, beat_at(k), is_exact);
   }
 
   // When beat k begins: takes what was published before it, into the samples that the components read.
   template <class State>
   void receive([[maybe_unused]] State& state, [[maybe_unused]] std::int64_t k) noexcept {
     (receive_one<Arriving>(state, k, k), ...);
-    if constexpr (has_parts) received = k + 1;
+    if constexpr (has_parts) this->received = k + 1;
   }
 
   // Beat k was cut or skipped: what should have left by a known clock leaves again.
@@ -79,8 +77,9 @@ public:
   template <class F>
   void look_for(int environment, std::int64_t position, F has_come) noexcept {
     if (others && others->is_gone(environment) && !has_come()) {
-      shared->environments[E].fault.state(position, lost_contact<D>(environment), -1);
-      tell_fault(observers(), lost_contact<D>(environment).data(), -1, position / exchange<D>::calls_and_one);
+      shared->environments[E].fault.state(position, lost_contact<shared_by_all>(environment), -1);
+      tell_fault(observers(), lost_contact<shared_by_all>(environment).data(), -1,
+                 position / exchange<shared_by_all>::calls_and_one);
     }
   }
   // To a tracer and a recorder.
@@ -93,8 +92,9 @@ public:
   }
   // Between two beats.
   loop_observers observers() const noexcept {
-    return observers_in<std::conditional_t<Recordable<D>, probed<part<D, E>>, part<D, E>>>(
-        static_cast<const kept_state<part<D, E>>&>(*this));
+    using loop = loop_key<shared_by_all, E>;
+    return observers_in<std::conditional_t<Recordable<D>, probed<loop>, loop>>(
+        static_cast<const loop_state<shared_by_all, E>&>(*this));
   }
   // Looks for the environments that beat k still waits for.
   void look_for_missing(std::int64_t k, std::int64_t position) noexcept {
@@ -142,8 +142,8 @@ public:
   }
   // Of a run before.
   void forget_others() noexcept {
-    seen.fill(-1);
-    late_in_a_row = {};
+    this->seen.fill(-1);
+    this->late_in_a_row = {};
   }
 
   // Nothing has gone wrong elsewhere before this call. False: the beat ends here.
@@ -174,7 +174,8 @@ public:
       return std::pair(may_fault_in(plan.view(), plan.calls[array_size(call)]),
                        is_call_read_at_once(whole.view(), call));
     }();
-    const std::int64_t done = exchange<D>::position_of(beat_at(k), order.whole_rank[array_size(Rank)] + 1);
+    const std::int64_t done =
+        exchange<shared_by_all>::position_of(beat_at(k), order.whole_rank[array_size(Rank)] + 1);
     if constexpr (others_wait.second) announce(done);
     else if constexpr (others_wait.first) move_to(done);
     return true;
@@ -189,14 +190,15 @@ public:
                                [[maybe_unused]] int input) noexcept {
     if constexpr (order.own_entries > 0) {
       if (outcome.fault) fault_rank = order.rank_of_entries[array_size(input)];
-      else move_to(exchange<D>::position_of(k, order.own_entries));
+      else move_to(exchange<shared_by_all>::position_of(k, order.own_entries));
     }
     return !outcome.fault;
   }
 
 private:
   static constexpr const auto& order = fault_order_of<D, E>;
-  static constexpr bool has_parts = parts_kept<part<D, E>> > 0;
+  // The loop must know when a sample came, whether it looked then or not.
+  static constexpr bool has_parts = parts_kept<part<D, E>> > 0 || DeployedMode<D>;
 
   // The beat that the loop of this part has as `k`.
   CCA_INLINE std::int64_t beat_at(std::int64_t k) const noexcept {
@@ -228,44 +230,49 @@ private:
     return environment_of(plan.view(), plan.outputs[Output].call);
   }();
   static constexpr int least_delay(int from, int to) {
-    return crossings_of<D>.least_delay[array_size(from)][array_size(to)];
+    return crossings_of<shared_by_all>.least_delay[array_size(from)][array_size(to)];
   }
 
   template <int Output, class State>
   void receive_one(State& state, std::int64_t k, std::int64_t end) noexcept {
     constexpr bool is_index = is_free || !has_parts;
-    const std::int64_t came = is_index ? index_at(k) : is_exact ? arrives_when_published : received;
-    receive_samples<D, E, Output>(state, static_cast<next_arrival<D, Output>&>(*this), k, end, came);
+    const std::int64_t came = is_index ? index_at(k) : is_exact ? arrives_when_published : this->received;
+    receive_samples<D, E, Output>(state, next_of<Output>(), k, end, came);
   }
 
   template <int Output>
   void repeat_one(std::int64_t k) noexcept {
-    if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
+    constexpr int output = shared_output_of<D, Output>;
+    if (!ticks(published_of<D, Output>, k)) return;
+    if constexpr (DeployedMode<D>)
+      shared->template ring<output>().repeat(k, this->came_in[array_size(output)]);
+    else shared->template ring<output>().repeat(k);
   }
 
   // In a fast run it looks again only where the last look does not tell: each look fetches the number
   // from another core. In a wall-clock run a peer that is refused goes back.
   template <int X>
   bool has_come_to(std::int64_t position) noexcept {
-    if (!is_exact || seen[X] < position) seen[X] = shared->position(X);
-    return seen[X] >= position;
+    std::int64_t& last = this->seen[X];
+    if (!is_exact || last < position) last = shared->position(X);
+    return last >= position;
   }
   template <int X>
   bool has_done(std::int64_t beats) noexcept {
-    return has_come_to<X>(exchange<D>::position_of(beats));
+    return has_come_to<X>(exchange<shared_by_all>::position_of(beats));
   }
 
   template <int X, int Output, class Next>
   bool is_here(std::int64_t k, const Next& next) const noexcept {
     if constexpr (environment_of_output<Output> != X) return true;
     const std::int64_t due = newest_tick(published_of<D, Output>, k);
-    return next.newest >= due || shared->template ring<Output>().has(next.number, due);
+    return next.newest >= due || shared->template ring<shared_output_of<D, Output>>().has(next.number, due);
   }
   // All samples of X up to beat k.
   template <int X>
   bool are_here(std::int64_t k) noexcept {
     if constexpr (samples_tell<D, X, Arriving..., input_of<part<D, E>, Way>.writer...>)
-      if ((is_here<X, Arriving>(k, static_cast<const next_arrival<D, Arriving>&>(*this)) && ...) &&
+      if ((is_here<X, Arriving>(k, next_of<Arriving>()) && ...) &&
           (is_here<X, input_of<part<D, E>, Way>.writer>(k, static_cast<const next_by_way<D, Way>&>(*this)) &&
            ...))
         return true;
@@ -279,7 +286,11 @@ private:
       if (!are_here<X>(k - least_delay(X, E))) return false;
     if constexpr (least_delay(E, X) > 0 || X == 0)
       if (!(ahead > 0 && samples_show_progress<D, X, E>) && !has_done<X>(k - ahead)) return false;
-    return order.last[X] == 0 || has_come_to<X>(exchange<D>::position_of(k - 1, order.last[X]));
+    if constexpr (has_orders<shared_by_all>)
+      if (ahead == 0 && !has_done<X>(k)) return false;
+    if constexpr (DeployedMode<D>) return !may_fault_in_some_mode<shared_by_all, X> || has_done<X>(k);
+    else
+      return order.last[X] == 0 || has_come_to<X>(exchange<shared_by_all>::position_of(k - 1, order.last[X]));
   }
   template <int X>
   void wait_for(std::int64_t k, int rank) noexcept {
@@ -288,8 +299,8 @@ private:
   // Until the call before `done` is over, for one of this rank.
   template <int X>
   void wait_until(std::int64_t k, int done, int rank) noexcept {
-    const auto from = exchange<D>::position_of(k, done);
-    const auto here = exchange<D>::position_of(k, rank);
+    const auto from = exchange<shared_by_all>::position_of(k, done);
+    const auto here = exchange<shared_by_all>::position_of(k, rank);
     for (learned_patience patience = be_patient(); !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
       is_cut = shared->fault_position() <= here || shared->stop_at() <= k;
@@ -300,7 +311,7 @@ private:
   template <int X>
   CCA_INLINE void count_late_from(std::int64_t k, int& lost, loop_observers to) noexcept {
     if constexpr (least_delay(X, E) > 0 && !is_free && !is_free_running<D, X>) {
-      std::int64_t& in_a_row = late_in_a_row[X];
+      std::int64_t& in_a_row = this->late_in_a_row[X];
       const bool is_late = !has_done<X>(k - least_delay(X, E) + 1);
       if (is_late) {
         add(shared->environments[E].late[X], 1);
@@ -312,29 +323,10 @@ private:
     }
   }
 
-  std::array<std::int64_t, array_size(environment_count<D>)> seen{}, late_in_a_row{};  // of the others
-  std::int64_t received = 0;  // after the last beat before which samples were taken
+  template <int Output>
+  auto& next_of() noexcept {
+    return static_cast<next_arrival<shared_by_all, shared_output_of<D, Output>>&>(*this);
+  }
 };
-
-template <class D, int E>
-inline constexpr bool may_be_cut<part<D, E>> = true;
-template <class D>
-struct told_for_others<part<D, 0>> {
-  static constexpr bool holds(std::size_t o) { return leaves_freely<D>::holds(o); }
-};
-template <class D>
-struct told_earlier<part<D, 0>> {
-  static constexpr int most(std::size_t o) { return gathered_in_a_beat<D>[o]; }
-};
-
-// The state of a part has its links, which the beat finds by its context.
-template <class D, int E>
-struct controller_state<part<D, E>>
-    : state_of<part<D, E>,
-               chosen<counts_of<part<D, E>>.node_count, is_first_of_type<part<D, E>>>,
-               chosen<layout_of<part<D, E>>.array_count, outlives_beat<part<D, E>>>>,
-      part_states<parts_kept<part<D, E>>>,
-      environment_links<D, E>,
-      trace_link<part<D, E>> {};
 
 }  // namespace cca::detail

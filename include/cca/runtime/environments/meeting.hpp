@@ -16,10 +16,12 @@ namespace cca::detail {
 // What all agree on.
 struct terms_of_run {
   std::int64_t beat = 0, end = no_position;
-  bool is_exact = true;     // the first environment's
-  bool all_meet = false;    // after each beat, because somebody wants to
-  bool is_stopped = false;  // there is no run: another process has called stop()
-  bool is_off = false;      // there is no run: this process does not want it any more
+  bool is_exact = true;       // the first environment's
+  bool all_meet = false;      // after each beat, because somebody wants to
+  bool is_stopped = false;    // there is no run: another process has called stop()
+  bool is_off = false;        // there is no run: this process does not want it any more
+  int mode = 0;               // of a set of modes: with which it begins
+  std::int64_t switches = 0;  // and how many there have been
 };
 
 template <class D>
@@ -47,6 +49,11 @@ public:
         own.length = beats;
         own.is_exact = wanted.is_exact;
         own.all_meet = wanted.all_meet;
+        if constexpr (DeploymentOfModes<D>) {
+          auto& modes = shared.modes[static_cast<std::size_t>(&own - shared.environments.data())];
+          modes.mode = wanted.mode;
+          modes.switches = wanted.switches;
+        }
         own.arrived.store(run, std::memory_order_release);
       });
       check();
@@ -72,6 +79,14 @@ public:
     for (const auto& e : shared.environments) {
       agreed.beat = std::max<std::int64_t>(agreed.beat, e.beat);
       agreed.all_meet = agreed.all_meet || e.all_meet;
+    }
+    if constexpr (DeploymentOfModes<D>) {
+      agreed.switches = -1;
+      for (const auto& e : shared.modes)
+        if (e.switches > agreed.switches) {
+          agreed.switches = e.switches;
+          agreed.mode = static_cast<int>(e.mode);
+        }
     }
     for (const auto& e : shared.environments)
       if (e.length < no_position - agreed.beat)

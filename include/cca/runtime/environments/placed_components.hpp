@@ -47,15 +47,15 @@ protected:
   template <int Node, class Placed>
   static auto& component_of(Placed& self) {
     constexpr int e = environment_of<Node>;
-    return component_at<part<D, e>, Node>(self.loops.template at<e>().state);
+    return component_at<loop_key<D, e>, Node>(self.loops.template at<e>().state);
   }
   // f.template operator()<part<D, E>>(state, next beat or cycle) for each environment here that has a node of
-  // a part.
+  // a part; of a set of modes with the part in the active mode.
   template <class F, class Placed>
   static void for_each_part_state(int number, F f, Placed& self) {
     self.loops.for_each([&]<int E>(auto& loop) {
       if (self.here[E] && has_part<D, E>(number))
-        f.template operator()<part<D, E>>(loop.state, next_of<E>(self));
+        loop.in_mode([&]<class Part>() { f.template operator()<Part>(loop.state, next_of<E>(self)); });
     });
   }
   // The next beat of an environment, or cycle, as its loop counts.
@@ -80,23 +80,27 @@ protected:
   template <class F>
   void for_each_state(F f) const {
     loops.for_each([&]<int E>(const auto& loop) {
-      if (here[E]) f.template operator()<part<D, E>>(loop.state);
+      if (here[E]) f.template operator()<loop_key<D, E>>(loop.state);
     });
   }
 
-  // f(observation) for each output that an `observe` names, before beat k, in declaration order.
+  // f(observation) for each output that an `observe` names, before beat k, in declaration order. Of a set of
+  // modes those of the active one.
   template <class F>
   void observe_here(std::int64_t k, F& f) const {
-    observe_newest_here<is_watched_newest<D>>(k, f);
-    loops.for_each([&]<int E>(const auto& loop) {
-      if (here[E]) observe_outside<part<D, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
+    in_mode([&]<class Mode>() {
+      observe_newest_here<Mode, is_watched_newest<Mode>>(k, f);
+      loops.for_each([&]<int E>(const auto& loop) {
+        if (here[E])
+          observe_outside<part<Mode, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
+      });
     });
   }
   template <class F>
   void observe_and_take_here(std::int64_t k, F& f) {
     observe_here(k, f);
     loops.for_each([&]<int E>(auto& loop) {
-      if (here[E]) take_outside<part<D, E>>(loop.state);
+      if (here[E]) loop.in_mode([&]<class Part>() { take_outside<Part>(loop.state); });
     });
   }
   // The newest samples, whatever the policies, of which only the origins matter.
@@ -106,20 +110,24 @@ protected:
       if (here[E]) observed_in<E>(f);
     });
   }
-  template <class Outputs, class F>
-  void observe_newest_here(std::int64_t k, F& f) const {
-    for_each_watched<Outputs>([&]<int E, class Observed>() {
-      const auto& loop = loops.template at<E>();
-      if (here[E])
-        Observed::template show<part<D, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
-    });
-  }
   // Of one environment, between two of its beats.
   template <int Environment, class F>
   void observed_in(F& f) const {
-    for_each_watched<is_watched<D>>([&]<int E, class Observed>() {
-      if constexpr (E == Environment)
-        Observed::template show<part<D, E>>(loops.template at<E>().state, loops.template at<E>().index(), f);
+    const auto& loop = loops.template at<Environment>();
+    loop.in_mode([&]<class Part>() {
+      using mode = deployment_of_part<Part>;
+      for_each_watched<mode, is_watched<mode>>([&]<int E, class Observed>() {
+        if constexpr (E == Environment) Observed::template show<Part>(loop.state, loop.index(), f);
+      });
+    });
+  }
+  // Of an output that more than one mode has, once for each.
+  template <class F>
+  void observed_in_any_mode(F f) const
+    requires(DeploymentOfModes<D>)
+  {
+    for_each_deployed_mode<D>([&]<class Mode>() {
+      observe_newest_here<Mode, is_watched<Mode>>(loops.template at<0>().k, f);
     });
   }
 
@@ -127,6 +135,28 @@ protected:
   environments_here<D> here{};
 
 private:
+  // f.template operator()<D>(), or with the active mode of the first environment here: all have the same.
+  template <class F>
+  void in_mode(F f) const {
+    if constexpr (DeploymentOfModes<D>) {
+      bool is_done = false;
+      loops.for_each([&]<int E>(const auto& loop) {
+        if (here[E] && !std::exchange(is_done, true))
+          loop.in_mode([&]<class Part>() { f.template operator()<deployment_of_part<Part>>(); });
+      });
+    } else {
+      f.template operator()<D>();
+    }
+  }
+  template <class Mode, class Outputs, class F>
+  void observe_newest_here(std::int64_t k, F& f) const {
+    for_each_watched<Mode, Outputs>([&]<int E, class Observed>() {
+      const auto& loop = loops.template at<E>();
+      if (here[E])
+        Observed::template show<part<Mode, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
+    });
+  }
+
   // A watched port, in the state of its environment.
   template <int Output>
   struct watched_output {
@@ -142,19 +172,20 @@ private:
       observe_shown<Part, Input>(state, k, f);
     }
   };
-  template <class Outputs, class F>
+  template <class Mode, class Outputs, class F>
   static void for_each_watched(F f) {
     [&]<int... Output>(std::integer_sequence<int, Output...>) {
-      (f.template
-       operator()<environment_of<call_of<D, output_of<D, Output>.call>.node>, watched_output<Output>>(),
+      (f.template operator()<environment_of_call<Mode, output_of<Mode, Output>.call>,
+                             watched_output<Output>>(),
        ...);
-    }(chosen<counts_of<D>.output_count, Outputs>{});
+    }(chosen<counts_of<Mode>.output_count, Outputs>{});
     [&]<int... Input>(std::integer_sequence<int, Input...>) {
-      (f.template
-       operator()<environment_of<call_of<D, input_of<D, Input>.call>.node>, watched_input<Input>>(),
+      (f.template operator()<environment_of_call<Mode, input_of<Mode, Input>.call>, watched_input<Input>>(),
        ...);
-    }(chosen<counts_of<D>.first_link, is_watched_input<D>>{});
+    }(chosen<counts_of<Mode>.first_link, is_watched_input<Mode>>{});
   }
+  template <class Mode, int Call>
+  static constexpr int environment_of_call = plan_of<Mode>.nodes[call_of<Mode, Call>.node].environment;
 };
 
 // The environments as a tracer and a recorder know them: each loop of this process tells them of its beats.

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 #include <cca/base/array_size.hpp>
 #include <cca/base/eigen.hpp>
@@ -140,13 +141,14 @@ public:
     return false;
   }
 
-  // The writer's: its last sample once more, as of beat k, unless it is of that beat.
-  void repeat(std::int64_t k) noexcept {
+  // The writer's: its last sample once more, as of beat k, unless it is of that beat, or was published before
+  // beat `since`.
+  void repeat(std::int64_t k, std::int64_t since = std::numeric_limits<std::int64_t>::min()) noexcept {
     const std::uint64_t number = count.load(std::memory_order_relaxed);
     if (number == 0) return;
     sample last;
     std::uint64_t newest = number - 1;
-    if (take(newest, k, last)) put(last.vector, last.origin, k, false, true);
+    if (take(newest, k, last) && last.published_in >= since) put(last.vector, last.origin, k, false, true);
   }
 
 private:

@@ -7,6 +7,7 @@
 
 #include <cca/graph/modes.hpp>
 #include <cca/runtime/controller.hpp>
+#include <cca/runtime/live/ordered.hpp>
 
 namespace cca {
 template <class D>
@@ -39,6 +40,39 @@ struct live_components {
   static bool is_here(const Controller& c, int node) {
     return c.is_here(node);
   }
+  // The loop whose thread gives the orders of this process: what has effect in several loops, in one beat
+  // (environments/parts/agreed_changes.hpp). -1: there are none.
+  template <class Controller>
+  static int ordering_loop(const Controller& c) {
+    if constexpr (requires { c.first_here(); }) return c.first_here();
+    else return -1;
+  }
+  // Does what is asked need one? `part`: -1, a mode.
+  template <class Controller>
+  static constexpr bool needs_order([[maybe_unused]] int part) {
+    if constexpr (requires { Controller::needs_order(part); }) return Controller::needs_order(part);
+    else return false;
+  }
+  // The beat in which it has effect; -1: it has had it.
+  template <class Controller>
+  static std::int64_t give_order([[maybe_unused]] Controller& c,
+                                 [[maybe_unused]] ordered what,
+                                 [[maybe_unused]] int number) {
+    if constexpr (requires { c.order(what, number); }) {
+      if (c.is_computing) return c.order(what, number);
+      if (what != ordered::mode) c.order_at_rest(number, what == ordered::stop);
+      else if constexpr (requires { c.has_part_in_mode(0); }) c.move_to(number);
+    }
+    return -1;
+  }
+  // Whether that loop has begun this beat, or the run is over.
+  template <class Controller>
+  static bool is_over([[maybe_unused]] const Controller& c, [[maybe_unused]] std::int64_t beat) {
+    if constexpr (requires { c.next_of_first_here(); })
+      return !c.is_computing || c.next_of_first_here() > beat;
+    else return true;
+  }
+
   // Whether this process runs the loop that gives the beat.
   template <class Controller>
   static bool gives_beat(const Controller& c) {
@@ -82,6 +116,7 @@ struct live_components {
   template <class Controller>
   static bool has_part_now(const Controller& c, int part) {
     if constexpr (requires { c.has_part(part); }) return c.has_part(part);
+    else if constexpr (requires { c.has_part_in_mode(part); }) return c.has_part_in_mode(part);
     else return true;
   }
   template <class Controller>
@@ -99,6 +134,7 @@ struct live_components {
   template <class Controller>
   static int active_mode(const Controller& c) {
     if constexpr (requires { c.active; }) return c.active;
+    else if constexpr (requires { c.has_part_in_mode(0); }) return c.number();
     else return 0;
   }
   template <class Controller>

@@ -31,12 +31,11 @@ public:
   }
   bool is_empty() const noexcept { return !is_in_use.load(std::memory_order_acquire); }
 
-  // A loop's, between two beats: f(), if a request concerns it.
+  // A loop's, between two beats: f(), if a request concerns it. False: it has had no effect yet.
   template <class F>
   void take(int loop, F f) {
     auto& asked = is_asked[array_size(loop)];
-    if (!asked.load(std::memory_order_acquire)) return;
-    f();
+    if (!asked.load(std::memory_order_acquire) || !f()) return;
     asked.store(false, std::memory_order_relaxed);
     if (missing.fetch_sub(1, std::memory_order_acq_rel) == 1) give_back();
   }

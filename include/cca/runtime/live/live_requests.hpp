@@ -93,7 +93,7 @@ public:
   }
 
 protected:
-  explicit live_requests(const Controller& c) : known(c) {
+  explicit live_requests(const Controller& c) : known(c), ordering(live_components::ordering_loop(c)) {
     for (int node = 0; node < counts_of<Graph>.node_count; ++node)
       if (live_components::is_here(c, node)) with_components[array_size(loops::of_node(node))] = true;
   }
@@ -102,8 +102,10 @@ protected:
   template <int Loop>
   void take(Controller& c) {
     mailbox.take(Loop, [&] {
+      if (is_order) return has_effect(c);
       if (const int by = do_what_is_asked<Loop>(c); by != nobody)
         refusing.store(by, std::memory_order_release);
+      return true;
     });
   }
 
@@ -131,7 +133,36 @@ private:
         known.check_is_here(node);
         to[array_size(loops::of_node(node))] = true;
       }
+    if (live_components::needs_order<Controller>(part))
+      return request_order(about, [&] { asked_part = part; });
     return request(about, to, [&] { asked_part = part; });
+  }
+  // One loop gives the order, and waits until all have obeyed.
+  template <class F>
+  bool request_order(asked about, F prepare) {
+    typename mailbox_type::loops to{};
+    to[array_size(ordering)] = true;
+    return request(about, to, [&] {
+      prepare();
+      is_order = true;
+      effect_in = none;
+    });
+  }
+  // The ordering loop's, between two of its beats. False: the beat of the order is still to come.
+  bool has_effect(Controller& c) {
+    if (effect_in == none) {
+      if (const int by = refusal_of_order(c); by != nobody)
+        return refusing.store(by, std::memory_order_release), true;
+      effect_in = what == asked::mode
+                      ? live_components::give_order(c, ordered::mode, asked_mode)
+                      : live_components::give_order(c, what == asked::stop ? ordered::stop : ordered::start,
+                                                    asked_part);
+    }
+    return live_components::is_over(c, effect_in);
+  }
+  int refusal_of_order(const Controller& c) const {
+    if (what == asked::mode) return c.state() == state::faulted ? first_mode - asked_mode : nobody;
+    return live_components::has_part_now(c, asked_part) ? nobody : first_part - asked_part;
   }
 
   struct given_back {
@@ -154,6 +185,7 @@ private:
   bool request(asked about, const typename mailbox_type::loops& to, F prepare) {
     if (!mailbox.claim()) return false;
     given_back unless_posted{mailbox};
+    is_order = false;
     prepare();  // may throw: then nothing is asked
     what = about;
     refusing.store(nobody, std::memory_order_relaxed);
@@ -164,6 +196,8 @@ private:
   bool switch_to_number(int number)
     requires Modes<Graph>
   {
+    if (live_components::needs_order<Controller>(-1))
+      return request_order(asked::mode, [&] { asked_mode = number; });
     return request(asked::mode, all_nodes, [&] { asked_mode = number; });
   }
 
@@ -201,6 +235,10 @@ private:
   mailbox_type mailbox;
   asked what = asked::parameters;
   int asked_part = 0, asked_mode = 0;
+  bool is_order = false;  // what is asked for
+  static constexpr std::int64_t none = -2;
+  std::int64_t effect_in = none;  // the beat in which the order has effect
+  int ordering;                   // the loop that gives orders
   std::atomic<int> refusing{nobody};
 };
 

@@ -18,42 +18,20 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include <cca/base/nearest.hpp>
 #include <cca/graph/diagnosis/diagnosis_of_modes.hpp>
 #include <cca/runtime/controller.hpp>
+#include <cca/runtime/modes/mode_names.hpp>
 #include <cca/runtime/modes/mode_switch.hpp>
 
 namespace cca {
-namespace detail {
-
-// In one mode or more.
-template <Modes M>
-struct wired_inputs<M> {
-  template <class F>
-  static void each(int node, F f) {
-    [&]<int... I>(std::integer_sequence<int, I...>) {
-      (each_in<I>(node, f), ...);
-    }(std::make_integer_sequence<int, mode_count<M>>{});
-  }
-
-private:
-  template <int I, class F>
-  static void each_in(int node, F& f) {
-    using part = mode_part<M, I>;
-    for (int n = 0; n < counts_of<part>.node_count; ++n)
-      if (shared_nodes<M, I>[array_size(n)] == node) wired_inputs<part>::each(n, f);
-  }
-};
-
-}  // namespace detail
 
 template <class M>
   requires Modes<M> && detail::WellFormed<M>
-class controller<M> : public detail::loop_host<controller<M>, M> {
+class controller<M> : public detail::loop_host<controller<M>, M>, detail::mode_names<M> {
   using host = detail::loop_host<controller<M>, M>;
-  static constexpr const auto& all = detail::modes_of<M>::value;
+  using names = detail::mode_names<M>;
+  using names::all, names::mode_named, names::number_of;
 
 public:
   // ---- the thread that runs the beats, between two of them ----
@@ -72,7 +50,7 @@ public:
 
   template <fixed_string Mode>
   void switch_to() {
-    change_to(mode_named<Mode>());
+    change_to(names::template mode_named<Mode>());
   }
   void switch_to(std::string_view mode) { change_to(number_of(mode)); }
 
@@ -170,10 +148,7 @@ private:
     return detail::has_mode(detail::plan_of<M>.parts[detail::array_size(number)].modes, active);
   }
   void check_part(const char* call, int number) const {
-    if (!has_part(number))
-      throw refused(std::string("cca::controller: ") + call + "(`" + detail::path_of_part<M>(number) +
-                    "`) is refused in the mode `" + std::string(mode()) +
-                    "`, which has no such component: it is started when a mode begins that has it");
+    if (!has_part(number)) names::refuse_part(call, number, mode());
   }
   struct hooks_of_active_mode {
     controller& c;
@@ -269,30 +244,6 @@ private:
       if (auto* const tap = recorded_into()) tap->switched(next, is_requested, k);
     state_of_all.since = k;
     with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, k, is_started); });
-  }
-
-  template <fixed_string Mode>
-  static constexpr int mode_named() {
-    constexpr int number = all.number_of(Mode.view());
-    static_assert(number >= 0,
-                  "modes.unknown_mode: the set of modes has no mode of the name that switch_to names (the "
-                  "compiler says both): name one of its modes");
-    return number;
-  }
-  static int number_of(std::string_view mode) {
-    const int number = all.number_of(mode);
-    if (number < 0) throw refused("cca::controller: switch_to: " + unknown_mode(mode));
-    return number;
-  }
-  static std::string unknown_mode(std::string_view wrong) {
-    std::vector<std::string_view> names;
-    for (int m = 0; m < all.count; ++m) names.push_back(all.modes[m].name);
-    std::string text = std::string(all.name) + " has no mode `" + std::string(wrong) + "`";
-    if (const auto near = detail::nearest_name(wrong, names); !near.empty())
-      return text + "; did you mean `" + std::string(near) + "`?";
-    text += "; it has";
-    for (std::size_t m = 0; m < names.size(); ++m) text.append(m ? ", `" : " `").append(names[m]).append("`");
-    return text;
   }
 
   using host::k, host::now;

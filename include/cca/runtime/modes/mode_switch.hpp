@@ -15,7 +15,7 @@ namespace cca::detail {
 
 template <class M, int I>
 inline constexpr mode_view view_of_mode =
-    shared_plan_of<M>.view_of(shown_plan<mode_part<M, I>>, shown_plan<M>);
+    shared_plan_of<M>.view_of(shown_plan<mode_key<M, I>>, shown_plan<M>);
 
 // The modes that have a node of mode I.
 template <class M, int I>
@@ -37,35 +37,44 @@ inline constexpr mode_set every_mode = all_of_modes(modes_of<M>::value);
 // last firings, outputs, queues.
 template <class M, int I>
 struct unsteady_call {
-  static constexpr bool holds(std::size_t c) { return plan_of<mode_part<M, I>>.calls[c].unsteady; }
+  static constexpr bool holds(std::size_t c) { return plan_of<mode_key<M, I>>.calls[c].unsteady; }
 };
 template <class M, int I>
 struct kept_firing {
   static constexpr bool holds(std::size_t c) {
-    return layout_of<mode_part<M, I>>.calls[c].firing >= 0 &&
-           modes_with<M, I>(plan_of<mode_part<M, I>>.calls[c].node) != every_mode<M>;
+    return layout_of<mode_key<M, I>>.calls[c].firing >= 0 &&
+           modes_with<M, I>(plan_of<mode_key<M, I>>.calls[c].node) != every_mode<M>;
   }
 };
 template <class M, int I>
 struct passing_output {
   static constexpr bool holds(std::size_t o) {
-    const auto& plan = plan_of<mode_part<M, I>>;
+    const auto& plan = plan_of<mode_key<M, I>>;
     return plan_of<M>.outputs[array_size(view_of_mode<M, I>.shared_output(static_cast<int>(o)))].storage !=
                storage_kind::none &&
            modes_with<M, I>(plan.calls[array_size(plan.outputs[o].call)].node) != every_mode<M>;
   }
 };
+// The same that another environment reads.
+template <class M, int I>
+struct passing_to_others {
+  static constexpr bool holds(std::size_t o) {
+    const auto& plan = plan_of<mode_key<M, I>>;
+    return plan.outputs[o].leaves && !plan.calls[array_size(plan.outputs[o].call)].elsewhere &&
+           modes_with<M, I>(plan.calls[array_size(plan.outputs[o].call)].node) != every_mode<M>;
+  }
+};
 template <class M, int I>
 struct kept_for_queues {
-  std::array<int, array_size(input_count_of<mode_part<M, I>> + 1)> queues{}, ways{};
+  std::array<int, array_size(input_count_of<mode_key<M, I>> + 1)> queues{}, ways{};
 };
 template <class M, int I>
 inline constexpr auto queues_of_mode = [] {
   kept_for_queues<M, I> numbers;
   numbers.queues.fill(-1);
   numbers.ways.fill(-1);
-  for (std::size_t i = 0; i < array_size(counts_of<mode_part<M, I>>.input_count); ++i) {
-    const input& in = plan_of<mode_part<M, I>>.inputs[i];
+  for (std::size_t i = 0; i < array_size(counts_of<mode_key<M, I>>.input_count); ++i) {
+    const input& in = plan_of<mode_key<M, I>>.inputs[i];
     const int number = static_cast<int>(i);
     if (is_queued(in) && in.way_of < 0)
       numbers.queues[i] = sharing::find_queue(view_of_mode<M, I>, number, shown_plan<M>);
@@ -75,7 +84,9 @@ inline constexpr auto queues_of_mode = [] {
 }();
 template <class M>
 constexpr bool is_passing(int queue) {
-  return queue >= 0 && plan_of<M>.inputs[array_size(queue)].modes != every_mode<M>;
+  if (queue < 0) return false;
+  const input& in = plan_of<M>.inputs[array_size(queue)];
+  return in.modes != every_mode<M> && !plan_of<M>.calls[array_size(in.call)].elsewhere;
 }
 template <class M, int I>
 struct passing_queue {
@@ -88,7 +99,7 @@ struct passing_way {
 
 template <class M, int I>
 struct mode_switch {
-  using part = mode_part<M, I>;
+  using part = mode_key<M, I>;
   static constexpr const auto& counts = counts_of<part>;
   state_of_modes<M>& state;
 
@@ -128,7 +139,11 @@ struct mode_switch {
         if (!has_mode(plan_of<M>.parts[array_size(p)].modes, last)) come(p, k);
     for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
       if (!has_mode(modes_with<M, I>(call_of<part, output_of<part, Output>.call>.node), last))
-        begin_anew<Output>();
+        begin_anew<Output>(k);
+    });
+    for_each<counts.output_count, passing_to_others<M, I>>([&]<int Output>() {
+      if (!has_mode(modes_with<M, I>(call_of<part, output_of<part, Output>.call>.node), last))
+        note_coming<Output>(state, k);
     });
     for_each<counts.input_count, passing_queue<M, I>>([&]<int Input>() {
       constexpr int queue = queues_of_mode<M, I>.queues[array_size(Input)];
@@ -139,10 +154,7 @@ struct mode_switch {
     });
     for_each<counts.input_count, passing_way<M, I>>([&]<int Way>() {
       constexpr int way = queues_of_mode<M, I>.ways[array_size(Way)];
-      if (!has_mode(plan_of<M>.inputs[array_size(way)].modes, last)) {
-        constexpr place at = layout_of<M>.on_the_way[way];
-        sample_in<M, at.array>(state, at.index).forget();
-      }
+      if (!has_mode(plan_of<M>.inputs[array_size(way)].modes, last)) { forget_way<way>(state, k); }
     });
     if (is_started)
       for_each<counts.node_count, hook<true>>([&]<int Node>() {
@@ -151,6 +163,24 @@ struct mode_switch {
   }
 
 private:
+  // From another environment nothing more comes of what was published before. (Templates on the state: only
+  // that of an environment knows of others.)
+  template <int Way, class State>
+  static void forget_way(State& in, [[maybe_unused]] std::int64_t k) {
+    constexpr place at = layout_of<M>.on_the_way[Way];
+    if constexpr (at.array >= 0) sample_in<M, at.array>(in, at.index).forget();
+    else in.template forget_way<Way>(k);
+  }
+  template <int Output, class State>
+  static void note_coming(State& in, std::int64_t k) {
+    in.came_in[array_size(view_of_mode<M, I>.shared_output(Output))] = k;
+  }
+  template <int Output, class State>
+  static void forget_arriving([[maybe_unused]] State& in, [[maybe_unused]] std::int64_t k) {
+    if constexpr (array_of<M, layout_of<M>.outputs[Output].array>.kind == storage_kind::arriving)
+      in.template forget_output<Output>(k);
+  }
+
   // A template on the state: a set of modes whose clocks are all known keeps none.
   template <int Call, class State>
   static last_firing& last_firing_of(State& in) {
@@ -167,7 +197,9 @@ private:
           false};
     }(std::make_integer_sequence<int, counts.node_count>{});
     static constexpr bool holds(std::size_t node) {
-      return nodes[node] && modes_with<M, I>(static_cast<int>(node)) != every_mode<M>;
+      const auto& own = plan_of<part>.nodes[node];
+      return nodes[node] && !plan_of<part>.calls[array_size(own.first_call)].elsewhere &&
+             modes_with<M, I>(static_cast<int>(node)) != every_mode<M>;
     }
   };
 
@@ -210,7 +242,7 @@ private:
 
   // It has not been published yet: it shows the initial value.
   template <int Output>
-  void begin_anew() {
+  void begin_anew([[maybe_unused]] std::int64_t k) {
     constexpr int shared = view_of_mode<M, I>.shared_output(Output);
     constexpr place at = layout_of<M>.outputs[shared];
     auto& sample = sample_in<M, at.array>(state, at.index);
@@ -219,6 +251,7 @@ private:
       for (int c = 0; c < size_of_output<M, shared>; ++c)
         sample.vector()[c] =
             initial_coordinate(output_of<M, shared>.initial_of, *output_port_of<M, shared>.space, c);
+    forget_arriving<shared>(state, k);
   }
 };
 

@@ -15,10 +15,10 @@
 namespace cca::detail {
 
 // All modes have the same parts.
-template <class M, int I>
-inline constexpr int parts_kept<mode_part<M, I>> = parts_kept<M>;
-template <class M, int I>
-inline constexpr const auto& kept_parts<mode_part<M, I>> = kept_parts<M>;
+template <ModeKey Mode>
+inline constexpr int parts_kept<Mode> = parts_kept<set_of_key<Mode>>;
+template <ModeKey Mode>
+inline constexpr const auto& kept_parts<Mode> = kept_parts<set_of_key<Mode>>;
 
 // The strategies that have a state: one object for all modes in which a component has the same one. It is
 // that of the first of these modes.
@@ -28,7 +28,7 @@ struct keeps_strategy<M> {
 };
 template <class M, int I>
 constexpr int shared_call_of(int call) {
-  return shared_plan_of<M>.view_of(shown_plan<mode_part<M, I>>, shown_plan<M>).shared_call(call);
+  return shared_plan_of<M>.view_of(shown_plan<mode_key<M, I>>, shown_plan<M>).shared_call(call);
 }
 struct place_in_mode {
   int mode = -1, call = -1;
@@ -36,13 +36,13 @@ struct place_in_mode {
 template <class M, int I, int Call>
 inline constexpr place_in_mode owner_of_strategy = [] {
   constexpr int shared = shared_call_of<M, I>(Call);
-  constexpr auto key = plan_of<mode_part<M, I>>.nodes[call_of<mode_part<M, I>, Call>.node].item->strategy_key;
+  constexpr auto key = plan_of<mode_key<M, I>>.nodes[call_of<mode_key<M, I>, Call>.node].item->strategy_key;
   place_in_mode first;
   [&]<int... J>(std::integer_sequence<int, J...>) {
     const auto look = [&]<int Mode>(std::integral_constant<int, Mode>) {
-      for (int c = 0; first.mode < 0 && c < counts_of<mode_part<M, Mode>>.call_count; ++c)
-        if (shared_call_of<M, Mode>(c) == shared && keeps_strategy<mode_part<M, Mode>>::holds(array_size(c)) &&
-            plan_of<mode_part<M, Mode>>.nodes[array_size(plan_of<mode_part<M, Mode>>.calls[array_size(c)].node)]
+      for (int c = 0; first.mode < 0 && c < counts_of<mode_key<M, Mode>>.call_count; ++c)
+        if (shared_call_of<M, Mode>(c) == shared && keeps_strategy<mode_key<M, Mode>>::holds(array_size(c)) &&
+            plan_of<mode_key<M, Mode>>.nodes[array_size(plan_of<mode_key<M, Mode>>.calls[array_size(c)].node)]
                     .item->strategy_key == key)
           first = {Mode, c};
     };
@@ -50,15 +50,15 @@ inline constexpr place_in_mode owner_of_strategy = [] {
   }(std::make_integer_sequence<int, I + 1>{});
   return first;
 }();
-template <class M, int I, int Call>
-struct place_of_strategy<mode_part<M, I>, Call> {
-  static constexpr place_in_mode owner = owner_of_strategy<M, I, Call>;
-  using type = kept_strategy<mode_part<M, owner.mode>, owner.call>;
+template <ModeKey Mode, int Call>
+struct place_of_strategy<Mode, Call> {
+  static constexpr place_in_mode owner = owner_of_strategy<set_of_key<Mode>, mode_number_of<Mode>, Call>;
+  using type = kept_strategy<mode_key<set_of_key<Mode>, owner.mode>, owner.call>;
 };
 
 template <class M,
           int I,
-          class Calls = chosen<counts_of<mode_part<M, I>>.call_count, keeps_strategy<mode_part<M, I>>>>
+          class Calls = chosen<counts_of<mode_key<M, I>>.call_count, keeps_strategy<mode_key<M, I>>>>
 struct own_strategies;
 template <class M, int I, int... Call>
 struct own_strategies<M, I, std::integer_sequence<int, Call...>> {
@@ -72,7 +72,12 @@ struct own_strategies<M, I, std::integer_sequence<int, Call...>> {
       return false;
     }
   };
-  using type = kept_strategies<mode_part<M, I>, chosen<counts_of<mode_part<M, I>>.call_count, is_own>>;
+  using type = kept_strategies<mode_key<M, I>, chosen<counts_of<mode_key<M, I>>.call_count, is_own>>;
+};
+
+struct active_mode {
+  std::int64_t since = 0;  // the beat in which it began
+  int requested = -1;      // the mode that a component asks for
 };
 
 // One object is the state of every mode: each is derived from the one before, and the first from what all
@@ -82,18 +87,15 @@ struct controller_state<mode_part<M, I>> : controller_state<mode_part<M, I - 1>>
                                            own_strategies<M, I>::type {};
 
 template <class M>
-struct controller_state<mode_part<M, 0>> : controller_state<M>, own_strategies<M, 0>::type {
-  std::int64_t since = 0;  // the beat in which the active mode began
-  int requested = -1;      // the mode that a component asks for
-
+struct controller_state<mode_part<M, 0>> : controller_state<M>, own_strategies<M, 0>::type, active_mode {
   template <fixed_string Mode>
-  CCA_INLINE void request(const switch_to<Mode>&) {
+  CCA_INLINE void request(const switch_to<Mode>&, int) {
     requested = modes_of<M>::value.number_of(Mode.view());
   }
 };
 
 template <class M>
-using state_of_modes = controller_state<mode_part<M, mode_count<M> - 1>>;
+using state_of_modes = controller_state<mode_key<M, mode_count<M> - 1>>;
 
 // Of a recordable set the same once more: each mode's second beat finds its state and the frame.
 template <class M, int I>
@@ -102,16 +104,16 @@ template <class M>
 struct controller_state<probed<mode_part<M, 0>>>
     : state_of_modes<M>, trace_link<probed<M>>, frame_link<controller_state<probed<mode_part<M, 0>>>, M> {};
 template <class M>
-using kept_state_of_modes = std::conditional_t<Recordable<M>,
-                                               controller_state<probed<mode_part<M, mode_count<M> - 1>>>,
-                                               state_of_modes<M>>;
+using kept_state_of_modes = std::
+    conditional_t<Recordable<M>, controller_state<probed<mode_key<M, mode_count<M> - 1>>>, state_of_modes<M>>;
 
-template <class M, int I>
-inline constexpr auto frame_layout_of<mode_part<M, I>> = [] {
+template <ModeKey Mode>
+inline constexpr auto frame_layout_of<Mode> = [] {
+  using M = set_of_key<Mode>;
   constexpr const auto& whole = frame_layout_of<M>;
-  constexpr int outputs = counts_of<mode_part<M, I>>.output_count;
-  const auto& plan = plan_of<mode_part<M, I>>;
-  const auto view = shared_plan_of<M>.view_of(shown_plan<mode_part<M, I>>, shown_plan<M>);
+  constexpr int outputs = counts_of<Mode>.output_count;
+  const auto& plan = plan_of<Mode>;
+  const auto view = shared_plan_of<M>.view_of(shown_plan<Mode>, shown_plan<M>);
   frame_layout<outputs> frame;
   frame.origins = whole.origins;
   frame.words = whole.words;
@@ -121,19 +123,22 @@ inline constexpr auto frame_layout_of<mode_part<M, I>> = [] {
     frame.origin[o] = whole.origin[shared];
     frame.at[o] = whole.at[shared];
     frame.size[o] = whole.size[shared];
-    frame.in_each_beat[o] = published(call.function->outputs[plan.outputs[o].port], call).every_beat() &&
-                            !counts_of<mode_part<M, I>>.may_fault;
+    frame.in_each_beat[o] =
+        published(call.function->outputs[plan.outputs[o].port], call).every_beat() && !may_be_cut<Mode>;
   }
   return frame;
 }();
 
-template <class M, int I, int First>
-struct array_of_components<mode_part<M, I>, First> {
-  using type = component_array<M, layout_of<M>.components[shared_nodes<M, I>[array_size(First)]].array>;
+template <ModeKey Mode, int First>
+struct array_of_components<Mode, First> {
+  using M = set_of_key<Mode>;
+  using type = component_array<
+      M,
+      layout_of<M>.components[shared_nodes<M, mode_number_of<Mode>>[array_size(First)]].array>;
 };
-template <class M, int I, int Array>
-struct array_of_samples<mode_part<M, I>, Array> {
-  using type = stored_array<M, shared_array<M, I, Array>>;
+template <ModeKey Mode, int Array>
+struct array_of_samples<Mode, Array> {
+  using type = stored_array<set_of_key<Mode>, shared_array<set_of_key<Mode>, mode_number_of<Mode>, Array>>;
 };
 
 }  // namespace cca::detail

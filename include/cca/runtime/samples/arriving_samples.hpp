@@ -27,6 +27,9 @@ public:
     return !s ? -1 : s->came > s->published_in + delay ? s->came : s->published_in + delay;
   }
 
+  // Of a set of modes: its component comes, and has published nothing.
+  void forget() { count = 0; }
+
 private:
   struct slot : stored_sample<Size> {
     std::int64_t published_in = -1, came = -1;

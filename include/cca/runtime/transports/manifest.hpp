@@ -55,7 +55,7 @@ std::string manifest_of() {
   };
   text << "cca " << version_major << '.' << version_minor << '.' << version_patch << '\n'
        << "deployment " << g.scopes[0].graph->name << ", " << g.period << " ns a beat, "
-       << sizeof(exchange<D>) << " bytes exchanged, " << environments_of<D>::tolerated
+       << sizeof(exchange<whole_of<D>>) << " bytes exchanged, " << environments_of<D>::tolerated
        << " late beats tolerated\n";
   for (int e = 0; e < environment_count<D>; ++e)
     text << "environment " << environments_of<D>::all[array_size(e)].name
@@ -95,6 +95,15 @@ std::string manifest_of() {
     text << '\n';
   }
   return text.str();
+}
+
+// Of a set of modes: that of each mode.
+template <DeploymentOfModes D>
+std::string manifest_of() {
+  std::string text;
+  for_each_deployed_mode<D>(
+      [&]<class Mode>() { text += "mode " + std::string(Mode::cca_mode_name) + '\n' + manifest_of<Mode>(); });
+  return text;
 }
 
 // The first line in which they differ: "here ..., there ...".

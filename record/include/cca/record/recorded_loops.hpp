@@ -13,6 +13,7 @@
 #include <cca/graph/plan/modes/plan_of_modes.hpp>
 #include <cca/record/recorded_loop.hpp>
 #include <cca/runtime/environments/active_beats.hpp>
+#include <cca/runtime/environments/samples/links_of_environment.hpp>
 
 namespace cca {
 template <class D>
@@ -22,13 +23,18 @@ class deployed;
 namespace cca::recording::detail {
 
 template <class D, int E>
-struct beats_of_loop<cca::detail::part<D, E>> {
+struct beats_of_environment {
   static std::int64_t count(std::int64_t first, std::int64_t end) {
     std::int64_t all = 0;
     for (std::int64_t k = first; (k = cca::detail::next_active_beat<D, E>(k)) < end; ++k) ++all;
     return all;
   }
 };
+
+template <class D, int E>
+struct beats_of_loop<cca::detail::part<D, E>> : beats_of_environment<D, E> {};
+template <class D, int E>
+struct beats_of_loop<cca::detail::modes_in<D, E>> : beats_of_environment<D, E> {};
 
 inline std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -81,7 +87,7 @@ struct recorded_loops<deployed<D>> {
   struct of;
   template <int... E>
   struct of<std::integer_sequence<int, E...>> {
-    using type = std::tuple<std::unique_ptr<recorded_loop<cca::detail::part<D, E>, D>>...>;
+    using type = std::tuple<std::unique_ptr<recorded_loop<cca::detail::loop_key<D, E>, D>>...>;
   };
   using loops = typename of<std::make_integer_sequence<int, cca::detail::environment_count<D>>>::type;
 
@@ -92,6 +98,7 @@ struct recorded_loops<deployed<D>> {
   static void attach(deployed<D>& d, const loops& all) {
     d.for_each_tap([&]<int E>(auto& tap) { tap.set(std::get<E>(all).get()); });
     d.parameters_changed();
+    if constexpr (Modes<D>) d.tell_mode_of_now();
   }
   static void detach(deployed<D>& d) {
     d.for_each_tap([&]<int E>(auto& tap) { tap.set(nullptr); });
@@ -109,11 +116,12 @@ struct recorded_loops<deployed<D>> {
   static void add_outputs_of_others(deployed<D>& d, std::vector<bool>& outputs) {
     d.for_each_tap([&]<int E>(auto&) {
       for (std::size_t o = 0; o < outputs.size(); ++o)
-        if (cca::detail::told_for_others<cca::detail::part<D, E>>::holds(o)) outputs[o] = true;
+        if (cca::detail::told_for_others<cca::detail::loop_key<D, E>>::holds(o)) outputs[o] = true;
     });
   }
 
-  static void describe(deployed<D>& d, text_map& environments, text_map&) {
+  static void describe(deployed<D>& d, text_map& environments, [[maybe_unused]] text_map& modes) {
+    if constexpr (Modes<D>) modes = {{"all", joined(names_of_modes())}};
     std::vector<std::string> here;
     d.for_each_tap([&]<int E>(auto&) { here.emplace_back(cca::detail::name_of_environment<D>(E)); });
     environments = {{"all", joined(names_of_environments())}, {"here", joined(here)}};
@@ -124,7 +132,13 @@ struct recorded_loops<deployed<D>> {
       all.emplace_back(cca::detail::name_of_environment<D>(e));
     return all;
   }
-  static std::vector<std::string> names_of_modes() { return {}; }
+  static std::vector<std::string> names_of_modes() {
+    std::vector<std::string> all;
+    if constexpr (Modes<D>)
+      for (int m = 0; m < cca::detail::mode_count<D>; ++m)
+        all.emplace_back(cca::detail::modes_of<D>::value.modes[m].name);
+    return all;
+  }
 };
 
 }  // namespace cca::recording::detail

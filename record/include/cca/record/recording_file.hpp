@@ -77,7 +77,7 @@ public:
       : file(name, s.chunk_bytes, s.compression_level) {
     std::vector<std::string> unused = s.scopes;
     const std::string text = architecture_text<Graph>();
-    if constexpr (Deployment<Graph>) file.metadata("cca.places", places_of<Graph>());
+    if constexpr (AnyDeployment<Graph>) file.metadata("cca.places", places_of<Graph>());
     file.metadata("cca.architecture", {{"name", std::string(cca::detail::type_name<Graph>())},
                                        {"hash", hash_of_architecture(text)},
                                        {"text", text},
@@ -237,7 +237,7 @@ private:
   std::vector<std::uint16_t> ports, nodes;  // channels; 0: not recorded
   std::vector<view> views;
   std::int64_t view_period = 0;
-  static constexpr bool has_environments = Deployment<Graph>;
+  static constexpr bool has_environments = AnyDeployment<Graph>;
   std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, part = 0, freely = 0, late = 0, skipped = 0,
                 dropped = 0;
   byte_writer message;

@@ -41,6 +41,7 @@ struct environment_info {
 struct deployment_info {
   std::string_view name{};
   std::string_view of_deployment{};  // its architecture is this deployment
+  std::string_view mode{};           // of a set of modes: the one that is looked at
   int tolerate_count = 0, tolerated = 3;
 };
 
@@ -178,6 +179,13 @@ inline constexpr deployment_info facts_of_deployment = [] {
   info.name = deployment_name(type_name<D>());
   if constexpr (Deployment<typename D::cca_architecture>)
     info.of_deployment = deployment_name(type_name<typename D::cca_architecture>());
+  if constexpr (requires { typename D::cca_whole; }) {
+    info.name = deployment_name(type_name<typename D::cca_whole>());
+    info.mode = D::cca_mode_name;
+    using architecture = typename D::cca_whole::cca_architecture;
+    if constexpr (DeploymentOfModes<architecture>)
+      info.of_deployment = deployment_name(type_name<architecture>());
+  }
   return info;
 }();
 

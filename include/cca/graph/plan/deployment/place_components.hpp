@@ -5,6 +5,7 @@
 #include <cca/graph/diagnosis/check.hpp>
 #include <cca/graph/plan/deployment/environments.hpp>
 #include <cca/graph/plan/flat.hpp>
+#include <cca/graph/plan/modes/mode_info.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {
@@ -34,8 +35,14 @@ constexpr int scope_of_wire(const flat_view& g, const input& in) {
   return 0;
 }
 
+// All components have their place. Of a set of modes: those of all modes.
+constexpr void check_environments(flat_view& g) {
+  for (int e = 0; e < g.environment_count; ++e) check<when::finished_environment>(g, {.environment = e});
+}
+
 struct placer {
   flat_view g;
+  const modes_info* modes = nullptr;  // the whole set, where this is one of its modes
 
   constexpr void place(int node, int environment) {
     auto& n = g.nodes[node];
@@ -58,9 +65,20 @@ struct placer {
             found = true;
             place(n, e);
           }
-        if (!found) check<when::placed_path>(g, {.environment = e, .name = environment.paths[p]});
+        if (!found && !is_in_other_mode(path))
+          check<when::placed_path>(g, {.environment = e, .name = environment.paths[p]});
       }
     }
+  }
+
+  constexpr bool is_in_other_mode(std::uint64_t path) const {
+    if (!modes) return false;
+    for (int m = 0; m < modes->count; ++m) {
+      const flat_view& other = *modes->modes[m].plan;
+      for (int n = 0; n < other.node_count; ++n)
+        if (is_at(other, other.nodes[n], path)) return true;
+    }
+    return false;
   }
 
   constexpr void place_others() {
@@ -73,7 +91,7 @@ struct placer {
       if (node.environment < 0)
         check<when::placed_node>(g, {.item = node.item, .scope = node.scope, .component = n});
     }
-    for (int e = 0; e < g.environment_count; ++e) check<when::finished_environment>(g, {.environment = e});
+    if (!modes) check_environments(g);
   }
 
   constexpr void check_crossings() {
@@ -101,10 +119,14 @@ struct placer {
   }
 };
 
-constexpr flat_view place_components(flat_view g, const environment_info* environments, int count) {
+// `modes`: the set whose mode this is; null: it is a graph by itself.
+constexpr flat_view place_components(flat_view g,
+                                     const environment_info* environments,
+                                     int count,
+                                     const modes_info* modes = nullptr) {
   g.environments = environments;
   g.environment_count = count;
-  placer step{g};
+  placer step{g, modes};
   step.run();
   return step.g;
 }

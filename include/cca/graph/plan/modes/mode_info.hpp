@@ -18,6 +18,7 @@ struct modes_info {
   std::string_view name{};
   const mode_info* modes = nullptr;
   int count = 0;
+  bool is_checked = false;  // it is the same set once more, of a deployment
 
   constexpr int number_of(std::string_view mode) const {
     for (int m = 0; m < count; ++m)

@@ -38,14 +38,28 @@ struct item_of_modes<mode<Name, G>> {
   static constexpr std::string_view name = Name.view();
 };
 
-template <class Item>
+// The graph of mode I of a set. A deployment has others (graph/plan/deployment/deployed_modes.hpp).
+template <class M, int I, class Item>
+struct graph_of_mode {
+  using type = typename item_of_modes<Item>::graph;
+};
+
+// The same set as another one, whose mistakes have been looked for.
+template <class M>
+inline constexpr bool is_checked_set = false;
+template <class M>
+struct name_of_set {
+  using type = M;
+};
+
+template <class M, int I, class Item>
 constexpr mode_info describe_mode() {
-  using graph = typename item_of_modes<Item>::graph;
+  using graph = typename graph_of_mode<M, I, Item>::type;
   mode_info info{.name = item_of_modes<Item>::name, .is_mode = !std::is_void_v<graph>};
   if constexpr (Graph<graph>) {
     info.type = graph_facts<graph>::value.name;
     info.plan = &shown_plan<graph>;
-    info.is_deployment = requires { typename graph::cca_environments; };
+    info.is_deployment = !is_checked_set<M> && requires { typename graph::cca_environments; };
   } else {
     info.type = type_name<Item>();
   }
@@ -57,13 +71,26 @@ constexpr std::string_view modes_name(std::string_view name) {
   return name.starts_with("modes<") ? "the set of modes" : name;
 }
 
-template <class M, class Items = typename M::cca_modes>
+template <class... Items>
+std::make_integer_sequence<int, sizeof...(Items)> numbers_of_items(list<Items...>);
+template <class Items>
+struct modes_as_tuple;
+template <class... Items>
+struct modes_as_tuple<list<Items...>> {
+  using type = std::tuple<Items...>;
+};
+
+template <class M,
+          class Items = typename M::cca_modes,
+          class Numbers = decltype(numbers_of_items(typename M::cca_modes{}))>
 struct modes_of;
-template <class M, class... Items>
-struct modes_of<M, list<Items...>> {
+template <class M, class... Items, int... Number>
+struct modes_of<M, list<Items...>, std::integer_sequence<int, Number...>> {
   static constexpr int count = sizeof...(Items);
-  static constexpr std::array<mode_info, sizeof...(Items) + 1> all{describe_mode<Items>()..., mode_info{}};
-  static constexpr modes_info value{modes_name(type_name<M>()), all.data(), count};
+  static constexpr std::array<mode_info, sizeof...(Items) + 1> all{describe_mode<M, Number, Items>()...,
+                                                                   mode_info{}};
+  static constexpr modes_info value{modes_name(type_name<typename name_of_set<M>::type>()), all.data(), count,
+                                    is_checked_set<M>};
 
   static constexpr graph_sizes sizes = [] {
     graph_sizes sum;
@@ -76,7 +103,7 @@ struct modes_of<M, list<Items...>> {
         sum.merged += one.merged, sum.exposes += one.exposes;
       }
     };
-    (add(box<typename item_of_modes<Items>::graph>{}), ...);
+    (add(box<typename graph_of_mode<M, Number, Items>::type>{}), ...);
     return sum;
   }();
 
@@ -86,13 +113,14 @@ struct modes_of<M, list<Items...>> {
     const auto add = [&]<class G>(box<G>) {
       if constexpr (Graph<G>) sum += link_count_of<G>;
     };
-    (add(box<typename item_of_modes<Items>::graph>{}), ...);
+    (add(box<typename graph_of_mode<M, Number, Items>::type>{}), ...);
     return sum;
   }();
 
   // The graph of mode I.
   template <int I>
-  using graph = typename item_of_modes<std::tuple_element_t<std::size_t{I}, std::tuple<Items...>>>::graph;
+  using graph =
+      typename graph_of_mode<M, I, std::tuple_element_t<std::size_t{I}, std::tuple<Items...>>>::type;
 };
 
 template <class M>
@@ -139,6 +167,29 @@ struct mode_part : marks_of<M> {
   using cca_items = typename graph::cca_items;
 };
 
+// The key of a mode's beat. In the environment of a deployment it is another one
+// (graph/plan/deployment/deployed_modes.hpp).
+template <class M, int I>
+struct key_of_mode {
+  using type = mode_part<M, I>;
+};
+template <class M, int I>
+using mode_key = typename key_of_mode<M, I>::type;
+
+// Of such a key: the set, and the number of the mode.
+template <class Key>
+struct mode_of_key {};
+template <class M, int I>
+struct mode_of_key<mode_part<M, I>> {
+  using set = M;
+  static constexpr int number = I;
+};
+template <class Key> concept ModeKey = requires { mode_of_key<Key>::number; };
+template <class Key>
+using set_of_key = typename mode_of_key<Key>::set;
+template <class Key>
+inline constexpr int mode_number_of = mode_of_key<Key>::number;
+
 // The number of its first node after those of the modes before.
 template <class M, int I>
 inline constexpr int first_node_of_mode = [] {
@@ -173,6 +224,7 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];
     const auto& shared = view.whole.outputs[view.shared_output(o)];
+    out.leaves = shared.leaves;
     out.by_clock = g.calls[out.call].fires == view.whole.calls[shared.call].fires;
     if (shared.storage == storage_kind::none) continue;
     out.storage = shared.storage;
@@ -204,9 +256,9 @@ inline constexpr flat_of<mode_part<M, I>> plan_of<mode_part<M, I>> =
 // The shared numbers of a mode's nodes.
 template <class M, int I>
 inline constexpr auto shared_nodes = [] {
-  const auto& g = shown_plan<typename mode_part<M, I>::graph>;
+  const auto& g = shown_plan<typename modes_of<M>::template graph<I>>;
   const auto view = shared_plan_of<M>.view_of(g, shown_plan<M>);
-  std::array<int, array_size(graph_size<mode_part<M, I>>.nodes + 1)> numbers{};
+  std::array<int, array_size(graph_size<typename modes_of<M>::template graph<I>>.nodes + 1)> numbers{};
   for (int n = 0; n < g.node_count; ++n) numbers[array_size(n)] = view.shared_node(n);
   return numbers;
 }();

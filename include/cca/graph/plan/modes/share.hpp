@@ -130,6 +130,7 @@ struct sharing {
       const auto& out = view.g.outputs[o];
       auto& own = to.outputs[view.shared_output(o)];
       own.watched |= out.watched;
+      own.leaves |= out.leaves;
       if (out.storage == storage_kind::none || out.storage == storage_kind::of_beat) continue;
       if (out.storage > own.storage) own.storage = out.storage;
       if (out.depth > own.depth) own.depth = out.depth;
@@ -295,6 +296,7 @@ struct sharing {
     if (to.found.is_broken()) return;
     for (int m = 0; m < all.count; ++m) join_samples(m);
     check_nodes();
+    if (all.is_checked) return;
     check_requests();
     check_commands();
   }

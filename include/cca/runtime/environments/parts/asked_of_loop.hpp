@@ -1,4 +1,5 @@
-// What components ask of the loop of an environment for its parts, and other threads for the run: a pause.
+// What is asked of the loop of an environment: by components and by other threads for its parts and its mode,
+// and by other threads for the run, a pause.
 // `Loop` is the loop.
 #pragma once
 
@@ -17,18 +18,61 @@ public:
       loop().tell([&](loop_tap& tap) { tap.part_changed(part, stops, requested, from); });
   }
 
-  // At the end of a run: what was asked for in the beats before `beat`, and no more.
-  void settle_parts(std::int64_t beat) {
-    take_part_requests(beat);
-    loop().state.requests.forget(loop().shared());
+  // At the end of a run: what was asked for in the beats before `beat`, and no more; and all orders, before
+  // beat `next`.
+  void settle_changes(std::int64_t beat, std::int64_t next, bool may_switch) {
+    loop().state.changes.settle(loop().shared(), loop(), beat, next, may_switch);
+    loop().state.changes.forget(loop().shared());
   }
 
-protected:
+  // ---- for agreed_changes ----
+
+  void make_requested(std::int64_t next) noexcept {
+    if constexpr (parts_kept<loop_key<D, E>> > 0)
+      loop().in_mode([&]<class Part>() {
+        take_requests<Part>(loop().state, index_of(next),
+                            [&](int number, bool stops) { tell_part(number, stops, true, next); });
+      });
+    if constexpr (DeploymentOfModes<D>) {
+      const int mode = loop().state.requested;
+      loop().state.forget_request();
+      if (mode >= 0) loop().switch_mode(mode, next, true, true);
+    }
+  }
+  void make_ordered(ordered what, int number, std::int64_t next) noexcept {
+    if constexpr (DeploymentOfModes<D>)
+      if (what == ordered::mode) return loop().switch_mode(number, next, false, true);
+    set_part(number, what == ordered::stop, index_of(next), next);
+  }
+  void count_late_order(int from) noexcept { add(loop().own().late[array_size(from)], 1); }
+
+  // As far as this environment, and the active mode, has it. `next`: the beat, or the cycle of a free-running
+  // environment, from which on it counts; `from`: the beat for a recorder.
+  void set_part([[maybe_unused]] int part,
+                [[maybe_unused]] bool stops,
+                [[maybe_unused]] std::int64_t next,
+                [[maybe_unused]] std::int64_t from) {
+    if constexpr (parts_kept<loop_key<D, E>> > 0) {
+      if (!loop().has_part_now(part) || loop().state.parts[array_size(part)].is_stopped == stops) return;
+      loop().in_mode([&]<class Part>() { change_part<Part>(loop().state, part, stops, next); });
+      tell_part(part, stops, false, from);
+    }
+  }
   // Before beat `next`.
-  void take_part_requests(std::int64_t next) noexcept {
-    loop().state.requests.take(
-        loop().shared(), loop().state, next,
-        [this](int number, bool stops, std::int64_t from) { tell_part(number, stops, true, from); });
+  void take_changes(std::int64_t next) noexcept { loop().state.changes.take(loop().shared(), loop(), next); }
+
+protected:
+  // f(the observer of its beats), while it is recorded.
+  template <class F>
+  void tell([[maybe_unused]] F f) noexcept {
+    if constexpr (Recordable<D>)
+      if (auto* const tap = loop().state.tap.get()) f(*tap);
+  }
+  void tell_reached() noexcept {
+    tell([this](loop_tap& tap) { tap.reach(loop().next_beat()); });
+  }
+  void tell_skipped(std::int64_t first, std::int64_t count, bool by_clock) noexcept {
+    tell([&](loop_tap& tap) { tap.skipped(first, count, by_clock); });
   }
 
   // A pause: the others begin no beat either.
@@ -42,6 +86,10 @@ protected:
   }
 
 private:
+  std::int64_t index_of(std::int64_t beat) {
+    if constexpr (is_free_running<D, E>) return loop().state.index;  // it counts cycles
+    else return beat;
+  }
   Loop& loop() { return static_cast<Loop&>(*this); }
 };
 

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/samples/receive_samples.hpp>
+#include <cca/runtime/modes/mode_switch.hpp>
 #include <cca/runtime/queue_entries.hpp>
 
 namespace cca::detail {
@@ -25,6 +27,30 @@ struct next_by_way<D, Way, true> : next_by_way<D, Way> {
   static constexpr std::uint64_t unknown = ~std::uint64_t{0};  // it has joined others that ran before
   std::uint64_t gathered = 0, gathered_number = 0;
 };
+
+// Of a set of modes: what was published before the way came is not read. A way has the number that all modes
+// share.
+template <class D, int E, int Way, bool IsFree>
+struct next_by_way<modes_in<D, E>, Way, IsFree> {
+  std::uint64_t number = 0;
+  std::int64_t newest = -1;
+  std::int64_t not_before = 0;
+};
+template <class D, int E, int Way>
+struct next_of_way {
+  using type = next_by_way<D, Way, is_of_free_running<D, input_of<part<D, E>, Way>.writer>>;
+};
+template <class D, int I, int E, int Way>
+struct next_of_way<deployed_mode<D, I>, E, Way> {
+  using type = next_by_way<modes_in<D, E>, queues_of_mode<modes_in<D, E>, I>.ways[array_size(Way)]>;
+};
+
+// The number of a way that all environments know.
+template <class D, int E, int Way>
+inline constexpr int number_of_way = Way;
+template <class D, int I, int E, int Way>
+inline constexpr int number_of_way<deployed_mode<D, I>, E, Way> =
+    queues_of_mode<modes_in<D, E>, I>.ways[array_size(Way)];
 
 template <class D, int E, int Way, class State>
   requires(enters<part<D, E>>::holds(std::size_t{Way}))
@@ -47,7 +73,9 @@ struct end_of_way<part<D, E>, Way, State> {
 
 private:
   static constexpr bool is_from_free = is_of_free_running<D, in.writer>;
-  using ring_type = std::remove_cvref_t<decltype(std::declval<exchange<D>&>().template ring<in.writer>())>;
+  static constexpr int writer = shared_output_of<D, in.writer>;
+  using ring_type =
+      std::remove_cvref_t<decltype(std::declval<exchange<whole_of<D>>&>().template ring<writer>())>;
 
   // What was published before this beat has come.
   std::int64_t end_at(std::int64_t k) const {
@@ -66,15 +94,16 @@ private:
   }
   // The number bounds a beat beside a writer that goes on publishing: the rest comes in the next one.
   void fetch_published(std::int64_t end) {
-    auto& from = static_cast<next_by_way<D, Way>&>(state);
-    const auto& ring = state.shared->template ring<in.writer>();
+    auto& from = static_cast<typename next_of_way<D, E, Way>::type&>(state);
+    const auto& ring = state.shared->template ring<writer>();
     for (typename ring_type::sample one; !has_come && left > 0; --left) {
       const std::uint64_t expected = from.number;
       const bool is_due = take(ring, from.number, end, one);
       lose(from.number - expected - is_due);
       if (!is_due) return;
       from.newest = one.published_in;
-      if (!one.is_repeated) come(one.published_in, one.origin, one.vector);
+      if (!one.is_repeated && !is_older(from, one.published_in))
+        come(one.published_in, one.origin, one.vector);
     }
   }
   void fetch_gathered(std::int64_t end)
@@ -97,7 +126,7 @@ private:
     if constexpr (keeps_first<D>::holds(std::size_t{Way}) && has_first<Ring>) {
       std::uint64_t next = number;
       const bool is_due = ring.take(next, end, one);
-      const auto* const first = state.shared->template first_on_way<Way>().oldest_from(number);
+      const auto* const first = state.shared->template first_on_way<number_of_way<D, E, Way>>().oldest_from(number);
       if (!first || first->number >= next - is_due) return number = next, is_due;
       if (first->published_in >= end) return false;
       number = first->number + 1;
@@ -140,12 +169,11 @@ private:
   int left = most_at_once;
 };
 
-// The ways of an environment. `Links` is environment_links.
+// What an environment does with its ways. `Links` is environment_links, which keeps the next of each.
 template <class Links, class D, int E, class Ways = ways_from_elsewhere<part<D, E>>>
 class ways_of;
 template <class Links, class D, int E, int... Way>
-class ways_of<Links, D, E, std::integer_sequence<int, Way...>>
-    : public next_by_way<D, Way, is_of_free_running<D, input_of<part<D, E>, Way>.writer>>... {
+class ways_of<Links, D, E, std::integer_sequence<int, Way...>> {
 public:
   // The queues of this environment begin with what arrives in beat k or later. Only in an environment that
   // joins others which have been running is there anything older.
@@ -156,8 +184,9 @@ private:
   void skip_arrived(std::int64_t k) noexcept {
     constexpr const input& in = input_of<part<D, E>, One>;
     auto& shared = *static_cast<Links&>(*this).shared;
-    auto& next = static_cast<next_by_way<D, One, is_of_free_running<D, in.writer>>&>(*this);
-    if (next.newest < 0) skip(shared.template ring<in.writer>(), next.number, k - in.delay);
+    auto& next = static_cast<typename next_of_way<D, E, One>::type&>(static_cast<Links&>(*this));
+    if (next.newest < 0)
+      skip(shared.template ring<shared_output_of<D, in.writer>>(), next.number, k - in.delay);
     if constexpr (is_of_free_running<D, in.writer>) {
       if (next.gathered_number > 0 || k == 0) return;
       skip(shared.template gathered<in.writer>(), next.gathered, k - in.delay);

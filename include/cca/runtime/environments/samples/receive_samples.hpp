@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <cca/base/inlining.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 
 namespace cca::detail {
@@ -20,6 +21,19 @@ template <class D, int Output>
 struct next_arrival<D, Output, true> : next_arrival<D, Output, false> {
   std::uint64_t arrived = 0;  // the same in a wall-clock run
 };
+
+// Of a set of modes: what was published before its component came is not read.
+template <DeploymentOfModes D, int Output, bool IsFree>
+struct next_arrival<D, Output, IsFree> {
+  std::uint64_t number = 0;
+  std::int64_t newest = -1;
+  std::int64_t not_before = 0;
+};
+template <class Next>
+CCA_INLINE bool is_older([[maybe_unused]] const Next& next, [[maybe_unused]] std::int64_t published_in) {
+  if constexpr (requires { next.not_before; }) return published_in < next.not_before;
+  else return false;
+}
 
 // What a free-running environment keeps of time.
 template <bool IsFree>
@@ -43,18 +57,20 @@ inline constexpr std::int64_t arrives_when_published = -1;
 // In beat k: what was published before beat `end`, as of index `came`. The state of the part has the links.
 template <class D, int E, int Output, class State>
 void receive_samples(State& state,
-                     next_arrival<D, Output>& next,
+                     next_arrival<whole_of<D>, shared_output_of<D, Output>>& next,
                      std::int64_t k,
                      std::int64_t end,
                      std::int64_t came) noexcept {
   constexpr bool is_free = is_free_running<D, E>;
+  constexpr int shared_output = shared_output_of<D, Output>;
   constexpr place at = layout_of<part<D, E>>.outputs[Output];
   auto& samples = sample_in<part<D, E>, at.array>(state, at.index);
   auto& shared = *state.shared;
-  const auto& ring = shared.template ring<Output>();
+  const auto& ring = shared.template ring<shared_output>();
   if constexpr (is_free)
     if (end == k) samples.begin(k);
   const auto arrive = [&](const auto& vector, std::int64_t origin, std::int64_t published_in) {
+    if (is_older(next, published_in)) return;
     samples.put(vector, origin, published_in, came == arrives_when_published ? published_in : came);
     next.newest = published_in;
   };
@@ -70,7 +86,8 @@ void receive_samples(State& state,
       take_all(shared.template arrived<Output>(), next.arrived, end);
     if (next.newest == end - 1) return;
     const std::uint64_t behind = ring.end_before(next.number, end);
-    constexpr std::uint64_t shown = crossings_of<D>.largest_delay[Output] + 1;  // older ones are not read
+    constexpr std::uint64_t shown =
+        crossings_of<whole_of<D>>.largest_delay[shared_output] + 1;  // older ones are not read
     for (std::uint64_t n = std::max(next.number, behind - std::min(behind, shown)); n < behind; ++n)
       ring.show(n, arrive);
     next.number = behind;

@@ -60,4 +60,15 @@ void repeat_publications([[maybe_unused]] State& state,
   }(chosen<counts_of<D>.output_count, is_kept_by_whole<D, E>>{});
 }
 
+// In a deployment of modes the clocks of a part are those of the whole.
+template <class D, int E, class State>
+void repeat_by_whole([[maybe_unused]] State& state,
+                     [[maybe_unused]] std::int64_t beat,
+                     [[maybe_unused]] std::int64_t index) {
+  if constexpr (!DeployedMode<D>) {
+    repeat_firings<D, E>(state, beat);
+    repeat_publications<D, E>(state, beat, index);
+  }
+}
+
 }  // namespace cca::detail

@@ -2,9 +2,22 @@
 // speed.
 #pragma once
 
+#include <concepts>
+
 #include <cca/runtime/run_record.hpp>
 
 namespace cca::detail {
+
+// While an environment waits for others there is no beat after which `between` could be asked; what ends a
+// run at any time has `is_over()` (cca::interruption).
+template <class Between>
+bool wants_end([[maybe_unused]] const Between& between) {
+  if constexpr (requires {
+                  { between.is_over() } -> std::same_as<bool>;
+                })
+    return between.is_over();
+  else return false;
+}
 
 template <class Deployed, class Pace, class Between>
 struct obeyed_control {

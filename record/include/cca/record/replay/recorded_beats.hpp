@@ -132,7 +132,7 @@ private:
       const std::string what = called + ": what `" + cca::detail::path_of_output<Graph>(o) + "` sensed ";
       if (!damaged.empty()) throw refused(what + "is not in the part that can be read: " + damaged);
       throw refused(what + "was not recorded: record it to replay" +
-                    (Deployment<Graph> ? ", with all environments in one process" : ""));
+                    (AnyDeployment<Graph> ? ", with all environments in one process" : ""));
     }
   }
 
@@ -189,7 +189,7 @@ private:
     }
     if (use.what == use_kind::lost) {
       item.lost = from.number<std::int64_t>();
-      if constexpr (Deployment<Graph>) from.text();
+      if constexpr (AnyDeployment<Graph>) from.text();
       return from.is_at_end();
     }
     if (use.what == use_kind::dropped) {

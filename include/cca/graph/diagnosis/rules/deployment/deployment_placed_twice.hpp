@@ -29,6 +29,7 @@ struct deployment_placed_twice {
     }
     m.at_node();
     m.node();
+    m.of_mode();
     m.say() << " runs in ";
     m.environment(m.g.nodes[m.found().component].environment);
     m.say() << " and in ";

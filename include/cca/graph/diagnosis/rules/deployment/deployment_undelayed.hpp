@@ -28,6 +28,7 @@ struct deployment_undelayed {
       m.say() << " observes `" << port_of(m.g, in).name << "`: ";
       m.port(out);
     }
+    m.of_mode();
     m.say() << " is published in ";
     m.environment(environment_of(out.call));
     m.say() << " and read in ";

@@ -15,7 +15,9 @@ struct deployment_unknown_node {
     const auto path = m.found().name;
     m.where << path;
     m.environment(m.found().environment);
-    m.say() << " names `" << path << "`, but " << m.graph().name << " has no such node";
+    m.say() << " names `" << path << "`, but ";
+    if (m.deployment().mode.empty()) m.say() << m.graph().name << " has no such node";
+    else m.say() << "no mode of " << m.deployment().name << " has such a node";
     if (const auto best = nearest_node(m.g, path); best.size > 0)
       m.say() << "; did you mean `" << best.view() << "`?";
     else m.say() << ": write the path of a component or of an inner graph, as in `skills.gait`";

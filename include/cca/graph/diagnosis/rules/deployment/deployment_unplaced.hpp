@@ -1,4 +1,4 @@
-// deployment.unplaced: each component has an environment.
+// deployment.unplaced: each component has an environment, in each mode.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -15,6 +15,7 @@ struct deployment_unplaced {
   static constexpr void tell(auto& m) {
     m.at_node();
     m.node();
+    m.of_mode();
     m.say() << " runs in no environment of " << m.deployment().name
             << ": add its path to the cca::nodes<...> of "
             << (m.g.environment_count == 1 ? "this environment" : "one of them")

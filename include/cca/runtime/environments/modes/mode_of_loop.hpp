@@ -1,0 +1,168 @@
+// The mode in which the loop of an environment is. A deployment of one graph has one, which costs nothing.
+// `Loop` is the loop.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include <cca/runtime/environments/links.hpp>
+#include <cca/runtime/environments/modes/state_of_modes.hpp>
+
+namespace cca::detail {
+
+template <class Part>
+struct deployment_of;
+template <class D, int E>
+struct deployment_of<part<D, E>> {
+  using type = D;
+};
+template <class Part>
+using deployment_of_part = typename deployment_of<Part>::type;
+
+template <class Loop, class D, int E, bool HasModes = DeploymentOfModes<D>>
+class mode_of_loop {
+public:
+  // f.template operator()<part>() for the part of the active mode.
+  template <class F>
+  CCA_INLINE void in_mode(F f) {
+    f.template operator()<part<D, E>>();
+  }
+  template <class F>
+  CCA_INLINE void in_mode(F f) const {
+    f.template operator()<part<D, E>>();
+  }
+  static constexpr bool has_part_now(int) { return true; }
+
+protected:
+  // The links, with the functions of a mode.
+  template <class Part>
+  CCA_INLINE auto& links_in() {
+    return loop().state;
+  }
+  static constexpr std::int64_t first_of_mode() { return 0; }
+  CCA_INLINE bool is_asked() const { return loop().state.is_asked; }
+  CCA_INLINE void forget_asked() { forget_requests(loop().state); }
+  template <class Part>
+  static constexpr int node_of(int node) {
+    return node;
+  }
+  template <class Part>
+  static constexpr int first_trace_name() {
+    return 0;
+  }
+
+private:
+  Loop& loop() { return static_cast<Loop&>(*this); }
+  const Loop& loop() const { return static_cast<const Loop&>(*this); }
+};
+
+template <class Loop, class D, int E>
+class mode_of_loop<Loop, D, E, true> {
+  using set = modes_in<D, E>;
+
+public:
+  template <class F>
+  void in_mode(F f) {
+    in_some_mode(loop().state.active, f);
+  }
+  template <class F>
+  void in_mode(F f) const {
+    in_some_mode(loop().state.active, f);
+  }
+  int mode() const noexcept { return loop().state.active; }
+  std::int64_t switches() const noexcept { return switched; }
+
+  bool tells_mode = false;  // a recorder
+
+  // Between two beats; `next` is the first beat of the mode. `is_requested`: by a component. Not started: no
+  // hook runs.
+  void switch_mode(int to, std::int64_t next, bool is_requested, bool is_started) noexcept {
+    auto& state = loop().state;
+    const int last = state.active;
+    if (to == last) return;
+    with_mode(last, [&]<int I>() { mode_switch<set, I>{state}.leave(to, next, is_started); });
+    state.active = to;
+    state.since = next;
+    ++switched;
+    if constexpr (Traceable<D>)
+      if (auto* const track = state.trace.get()) track->switched(to);
+    tell_mode(is_requested, next);
+    with_mode(to, [&]<int I>() { mode_switch<set, I>{state}.enter(last, next, is_started); });
+  }
+  // As other environments have switched, between two runs.
+  void join_mode(int to, std::int64_t so_often, std::int64_t next, bool is_started) noexcept {
+    switch_mode(to, next, false, is_started);
+    switched = so_often;
+  }
+  void tell_mode([[maybe_unused]] bool is_requested, [[maybe_unused]] std::int64_t next) noexcept {
+    if constexpr (Recordable<D>)
+      if (auto* const tap = loop().state.tap.get(); tap && tells_mode)
+        tap->switched(mode(), is_requested, next);
+  }
+  bool has_part_now(int part) const { return has_mode(plan_of<D>.parts[array_size(part)].modes, mode()); }
+  bool has_node_now(int node) const { return has_mode(plan_of<D>.nodes[array_size(node)].modes, mode()); }
+
+protected:
+  template <class Part>
+  auto& links_in() {
+    return static_cast<environment_links<deployment_of_part<Part>, E>&>(loop().state);
+  }
+  std::int64_t first_of_mode() const { return loop().state.since; }
+  bool is_asked() const {
+    if constexpr (counts_of<D>.part_count > 0)
+      if (loop().state.is_asked) return true;
+    return loop().state.requested >= 0;
+  }
+  void forget_asked() {
+    if constexpr (counts_of<D>.part_count > 0) forget_requests(loop().state);
+    loop().state.forget_request();
+  }
+  // First it learns which mode the beat is in.
+  void run_beat_of_mode() noexcept {
+    auto& state = loop().state;
+    if (!state.is_exact)
+      if (const int lost = state.count_late(loop().k, state.observers()); lost >= 0)
+        return loop().state_fault(state.observers(), 0, lost_contact<D>(lost), -1);
+    loop().take_changes(loop().k);
+    in_mode([this]<class Part>() {
+      if constexpr (Recordable<D>)
+        if (this->loop().state.is_observed()) return this->template run<probed<Part>>();
+      this->template run<Part>();
+    });
+  }
+  // In the whole set.
+  template <class Part>
+  static int node_of(int node) {
+    return node < 0 ? node : shared_nodes<D, mode_number_of<Part>>[array_size(node)];
+  }
+  // The calls of a mode are after those of the modes before.
+  template <class Part>
+  static constexpr int first_trace_name() {
+    return trace_name(first_node_of_mode<D, mode_number_of<Part>>, phase_of_beat::process);
+  }
+
+private:
+  // A function for each mode.
+  template <class Key>
+  [[gnu::noinline, gnu::flatten]] void run() noexcept {
+    loop().template run_beat_of<Key>();
+  }
+
+  template <class F>
+  static void with_mode(int number, F f) {
+    [&]<int... I>(std::integer_sequence<int, I...>) {
+      (void)((number == I && (f.template operator()<I>(), true)) || ...);
+    }(std::make_integer_sequence<int, mode_count<D>>{});
+  }
+  template <class F>
+  static void in_some_mode(int number, F& f) {
+    with_mode(number, [&]<int I>() { f.template operator()<part<deployed_mode<D, I>, E>>(); });
+  }
+
+  Loop& loop() { return static_cast<Loop&>(*this); }
+  const Loop& loop() const { return static_cast<const Loop&>(*this); }
+
+  std::int64_t switched = 0;  // so often
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,91 @@
+// How a deployment makes changes of parts and modes that the program or another thread asks for: at once
+// where no environment computes, else by an order (agreed_changes.hpp). `Self` is the deployment.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <cca/runtime/environments/environment_loops.hpp>
+
+namespace cca::detail {
+
+template <class Self, class D>
+class ordered_changes {
+protected:
+  // No environment computes: between two runs, and between two beats of a fast run in one process.
+  bool is_at_rest() const { return !is_computing || (is_exact && !self().others); }
+  void begin_run(bool exact) {
+    is_exact = exact;
+    is_computing = true;
+  }
+  void end_run() { is_computing = false; }
+
+  // The number of the first environment of this process; its thread gives the orders.
+  int first_here() const {
+    return static_cast<int>(std::ranges::find(self().here, true) - self().here.begin());
+  }
+  std::int64_t next_of_first_here() const {
+    std::int64_t next = 0;
+    self().loops.for_each([&]<int E>(const auto& loop) {
+      if (E == first_here()) next = loop.k;
+    });
+    return next;
+  }
+
+  // Where its environment is, if that looks at it now; else all are at rest.
+  std::int64_t next_beat_of(int environment) const {
+    const std::int64_t own = self().looked_at[array_size(environment)];
+    return own > 0 ? own : self().beat_index();
+  }
+  // A part, or, below 0, the mode.
+  static constexpr bool needs_order(int part) { return part < 0 || is_spread_part<D>(part); }
+  // From the thread of the first environment here. The beat in which it has effect.
+  std::int64_t order([[maybe_unused]] ordered what, [[maybe_unused]] int number) {
+    std::int64_t in = 0;
+    if constexpr (has_orders<D>)
+      self().loops.for_each([&]<int E>(auto& loop) {
+        if (E != first_here()) return;
+        const std::int64_t next =
+            is_exact ? loop.k : std::max<std::int64_t>(loop.k, self().shared->environments[0].begun + 1);
+        in = beat_of_order<D>(next, is_exact);
+        send_order<D, E>(*self().shared, what, number, in, is_exact);
+      });
+    return in;
+  }
+  void order_at_rest(int part, bool stops) {
+    self().loops.for_each([&]<int E>(auto& loop) {
+      if (self().here[E]) loop.set_part(part, stops, Self::template next_of<E>(self()), next_beat_of(E));
+    });
+  }
+  // While others compute, a part that more than one environment has is stopped by an order.
+  bool is_ordered(int part, bool stops) {
+    if (is_at_rest() || !is_spread_part<D>(part)) return false;
+    order(stops ? ordered::stop : ordered::start, part);
+    return true;
+  }
+  // In the thread of an environment, between two of its beats.
+  template <int E>
+  void set_part_in(int part, bool stops) {
+    self().loops.template at<E>().set_part(part, stops, Self::template next_of<E>(self()), next_beat_of(E));
+  }
+
+  // Before `between` looks at them, they have what their components asked for, as in one loop.
+  void take_changes_at_rest() {
+    if constexpr (asks_for_anything)
+      if (is_at_rest())
+        self().loops.for_each([&]<int E>(auto& loop) { loop.take_changes(self().beat_index()); });
+  }
+
+  bool is_exact = true, is_computing = false;  // the run
+
+private:
+  static constexpr bool asks_for_anything = [] {
+    for (int e = 0; e < environment_count<D>; ++e)
+      if (asks_for_changes<D>(e)) return true;
+    return false;
+  }();
+  Self& self() { return static_cast<Self&>(*this); }
+  const Self& self() const { return static_cast<const Self&>(*this); }
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,11 @@
+// What is asked for from outside and has effect in all environments of a deployment in one beat
+// (environments/parts/agreed_changes.hpp).
+#pragma once
+
+#include <cstdint>
+
+namespace cca::detail {
+
+enum class ordered : std::uint8_t { stop, start, mode };
+
+}  // namespace cca::detail

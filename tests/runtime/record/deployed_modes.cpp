@@ -1,0 +1,136 @@
+// The recording of a deployment of modes: one file with all environments and the switches of the mode,
+// replayed in one loop.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <cca/deployment.hpp>
+#include <cca/modes.hpp>
+#include <cca/trace.hpp>
+
+#include "graphs.hpp"
+
+using namespace record_test;
+
+namespace {
+
+struct gait {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, amplitude));
+  };
+  parameters p{0.3};
+  auto process(cca::in<"x", leg_angles> x, cca::beat now)
+      -> std::tuple<cca::out<"angles", leg_angles>, cca::switch_to<"stand">> {
+    phase += 6 * now.dt();
+    return {Eigen::Vector2d(p.amplitude * std::sin(phase), x[knee{}]), now.index() == 200};
+  }
+  double phase = 0;
+};
+struct stance {
+  auto process(cca::in<"x", leg_angles> x, cca::beat now)
+      -> std::tuple<cca::out<"height", steps>, cca::out<"angles", leg_angles>, cca::switch_to<"walk">> {
+    sum += x[hip{}];
+    return {sum, 0.9 * x.vector(), now.index() == 300};
+  }
+  double sum = 0;
+};
+
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"gait", gait>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
+                         cca::node<"leg", leg>,
+                         cca::wire<"leg.angles", "gait.x", cca::delayed<1>>,
+                         cca::wire<"gait.angles", "limits.command", cca::delayed<2>>,
+                         cca::wire<"limits.safe", "leg.command">> {};
+struct stand : cca::graph<cca::rate<1000>,
+                          cca::node<"leg", leg>,
+                          cca::node<"stance", stance>,
+                          cca::node<"limits", cca::limiter<leg_angles>>,
+                          cca::wire<"leg.angles", "stance.x", cca::delayed<1>>,
+                          cca::wire<"stance.angles", "limits.command", cca::delayed<2>>,
+                          cca::wire<"limits.safe", "leg.command">> {};
+
+struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>> {};
+using robot = cca::environment<"robot", cca::nodes<"leg", "limits">>;
+using mind = cca::environment<"mind", cca::other_nodes>;
+struct split : cca::deployment<legs, robot, mind>, cca::recordable {};
+struct traced : cca::deployment<legs, robot, mind>, cca::recordable, cca::traceable {};
+
+// Components switch in the beats 200 and 300, the program before beat 500.
+template <class Played>
+std::vector<double> drive(Played& c) {
+  std::vector<double> at;
+  const auto note = [&](Played& running) { at.push_back(running.template get<"leg">().at[0]); };
+  c.load();
+  c.start();
+  c.run(cca::for_beats<250>{}, {}, note);
+  c.template set<"gait">({0.4});
+  c.run(cca::for_beats<250>{});
+  c.template switch_to<"stand">();
+  c.run(cca::for_beats<100>{}, {}, note);
+  c.stop();
+  return at;
+}
+
+}  // namespace
+
+TEST_CASE("the recording of a deployment of modes has each switch once, and is replayed bit for bit") {
+  const temporary_file file("deployed_modes");
+  {
+    cca::deployed<split> d;
+    cca::recording::recorder recording(d, file.name, {.waits = true});
+    cca::controller<legs> plain;
+    CHECK(drive(d) == drive(plain));
+    recording.close();
+    CHECK(recording.problem() == "");
+    CHECK(recording.lost_beats() == 0);
+  }
+  std::vector<std::string> modes;
+  std::map<std::string, int> count;
+  cca::recording::mcap_reader all(file.name);
+  for (cca::recording::mcap_message m; all.next(m);) {
+    const std::string& topic = all.channels().at(m.channel).topic;
+    ++count[topic];
+    if (topic != "/cca/mode") continue;
+    cca::recording::detail::cdr_reader from(m.data);
+    const auto beat = from.number<std::int64_t>();
+    const std::string mode(from.text());
+    modes.push_back(std::to_string(beat) + " " + mode +
+                    (from.number<std::uint8_t>() == 1 ? " requested" : ""));
+  }
+  CHECK(modes ==
+        std::vector<std::string>{"0 walk", "201 stand requested", "301 walk requested", "500 stand"});
+  CHECK(count["/gait/angles"] == 200 + 199);
+  CHECK(count["/stance/height"] == 100 + 100);
+  CHECK(count["/leg/angles"] == 600);
+  CHECK(count["/limits/safe"] == 597);
+
+  const auto result = cca::recording::replay<split>(file.name);
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == 600);
+
+  const auto other =
+      cca::recording::replay<split>(file.name, [](auto& c) { c.template get<"stance">().sum = 1e-3; });
+  CHECK(other.component == "stance");
+  CHECK(other.beat == 201);
+}
+
+TEST_CASE("a deployment of modes is traced: each environment tells the switch") {
+  const temporary_file file("traced_modes"), recorded("traced_and_recorded_modes");
+  cca::deployed<traced> d;
+  {
+    cca::tracer trace(d, file.name, {.waits = true});
+    cca::recording::recorder recording(d, recorded.name, {.waits = true});
+    drive(d);
+    trace.close();
+    CHECK(trace.problem() == "");
+    CHECK(trace.lost_beats() == 0);
+  }
+  const auto result = cca::recording::replay<traced>(recorded.name);
+  INFO(result);
+  CHECK(result);
+}
