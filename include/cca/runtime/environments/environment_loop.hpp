@@ -195,7 +195,8 @@ public:
       this->in_mode([&]<class Part>() {
         repeat_outputs<Part>(state, index() + skipped - k);
         this->template links_in<Part>().repeat_leaving(skipped);
-        if (state.is_exact) repeat_by_whole<deployment_of_part<Part>, E>(state, skipped, index() + skipped - k);
+        if (state.is_exact)
+          repeat_by_whole<deployment_of_part<Part>, E>(state, skipped, index() + skipped - k);
       });
     this->skip_indices(next);
     if (next > k) tell_skipped(k, next - k, !state.is_exact);

@@ -190,8 +190,10 @@ template <class D, int... Output, int... Free, int... Way>
 struct exchange<D,
                 std::integer_sequence<int, Output...>,
                 std::integer_sequence<int, Free...>,
-                std::integer_sequence<int, Way...>>
-    : leaving_samples<D, Output>..., leaving_results<D, Free>..., kept_on_way<D, Way>..., modes_between_runs<D> {
+                std::integer_sequence<int, Way...>> : leaving_samples<D, Output>...,
+                                                      leaving_results<D, Free>...,
+                                                      kept_on_way<D, Way>...,
+                                                      modes_between_runs<D> {
   static constexpr std::int64_t calls_and_one = positions_in_beat<D>;
   static constexpr std::int64_t position_of(std::int64_t beat, int done = 0) {
     return beat * calls_and_one + done;

@@ -126,7 +126,8 @@ private:
     if constexpr (keeps_first<D>::holds(std::size_t{Way}) && has_first<Ring>) {
       std::uint64_t next = number;
       const bool is_due = ring.take(next, end, one);
-      const auto* const first = state.shared->template first_on_way<number_of_way<D, E, Way>>().oldest_from(number);
+      const auto* const first =
+          state.shared->template first_on_way<number_of_way<D, E, Way>>().oldest_from(number);
       if (!first || first->number >= next - is_due) return number = next, is_due;
       if (first->published_in >= end) return false;
       number = first->number + 1;
