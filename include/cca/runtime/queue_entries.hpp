@@ -106,9 +106,9 @@ private:
   }
   template <int One>
   CCA_INLINE void find(next_entry& first, std::int64_t k) {
-    const auto* const sample = end<One>().next(k);
-    if (!sample) return;
-    const next_entry one{sample->published_in + input_of<Graph, One>.delay, sample->published_in,
+    const auto* const next = end<One>().next(k);
+    if (!next) return;
+    const next_entry one{next->published_in + input_of<Graph, One>.delay, next->published_in,
                          input_of<Graph, One>.turn};
     if (first.turn < 0 || one.is_before(first)) first = one;
   }
