@@ -316,15 +316,15 @@ private:
     now = detail::after(detail::transition::fail, now);
   }
 
-  using changes::next_beat_of, changes::first_here, changes::is_at_rest,
-      changes::is_ordered, changes::take_changes_at_rest, changes::next_of_first_here, changes::needs_order,
-      changes::order, changes::order_at_rest, changes::set_part_in, changes::is_computing;
+  using changes::next_beat_of, changes::first_here, changes::is_at_rest, changes::is_ordered,
+      changes::take_changes_at_rest, changes::next_of_first_here, changes::needs_order, changes::order,
+      changes::order_at_rest, changes::set_part_in, changes::is_computing;
   using host::idle, host::move, host::now, host::reason;
   using placed::component, placed::component_of, placed::visit, placed::for_each_part_state,
       placed::for_each_state;
   using placed::loops, placed::here;
-  using placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in,
-      placed::observed_newest, placed::observed_in_any_mode, placed::next_of;
+  using placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in, placed::observed_newest,
+      placed::observed_in_any_mode, placed::next_of;
 
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
 

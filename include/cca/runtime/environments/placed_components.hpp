@@ -91,8 +91,7 @@ protected:
     in_mode([&]<class Mode>() {
       observe_newest_here<Mode, is_watched_newest<Mode>>(k, f);
       loops.for_each([&]<int E>(const auto& loop) {
-        if (here[E])
-          observe_outside<part<Mode, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
+        if (here[E]) observe_outside<part<Mode, E>>(loop.state, is_free_running<D, E> ? loop.index() : k, f);
       });
     });
   }
@@ -126,9 +125,8 @@ protected:
   void observed_in_any_mode(F f) const
     requires(DeploymentOfModes<D>)
   {
-    for_each_deployed_mode<D>([&]<class Mode>() {
-      observe_newest_here<Mode, is_watched<Mode>>(loops.template at<0>().k, f);
-    });
+    for_each_deployed_mode<D>(
+        [&]<class Mode>() { observe_newest_here<Mode, is_watched<Mode>>(loops.template at<0>().k, f); });
   }
 
   environment_loops<D> loops;
@@ -175,8 +173,8 @@ private:
   template <class Mode, class Outputs, class F>
   static void for_each_watched(F f) {
     [&]<int... Output>(std::integer_sequence<int, Output...>) {
-      (f.template operator()<environment_of_call<Mode, output_of<Mode, Output>.call>,
-                             watched_output<Output>>(),
+      (f.template
+       operator()<environment_of_call<Mode, output_of<Mode, Output>.call>, watched_output<Output>>(),
        ...);
     }(chosen<counts_of<Mode>.output_count, Outputs>{});
     [&]<int... Input>(std::integer_sequence<int, Input...>) {
