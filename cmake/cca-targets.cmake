@@ -29,6 +29,15 @@ if("main" IN_LIST CCA_COMPONENTS AND NOT "config" IN_LIST CCA_COMPONENTS)
   message(FATAL_ERROR "CCA_COMPONENTS: the component 'main' needs 'config'")
 endif()
 
+if(NOT PROJECT_IS_TOP_LEVEL)  # who links one of these reads of a target that was not found, and why above
+  set(left_out config main sim hardware dds record)
+  list(REMOVE_ITEM left_out none ${CCA_COMPONENTS})
+  if(left_out)
+    list(JOIN left_out ", cca::" names)
+    message(STATUS "cca: there is no cca::${names}: to link one, name it in CCA_COMPONENTS before cca is added")
+  endif()
+endif()
+
 # What is built and installed: the core, the components, and the robots if a component needs them.
 set(CCA_TARGETS cca ${CCA_COMPONENTS})
 if("sim" IN_LIST CCA_COMPONENTS OR "hardware" IN_LIST CCA_COMPONENTS)
