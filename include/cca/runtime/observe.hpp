@@ -39,17 +39,27 @@ inline constexpr link_range links_of_observer = links_where<Graph>([](int i) { r
 
 // Calls f.template operator()<Link>() for each link of a range.
 template <int Link, class F>
-CCA_INLINE void call_for_link(F& f) {
+CCA_INLINE constexpr void call_for_link(F& f) {
   CCA_INLINE_CALL f.template operator()<Link>();
 }
 template <int First, class F, int... Number>
-CCA_INLINE void for_each_link([[maybe_unused]] F& f, std::integer_sequence<int, Number...>) {
+CCA_INLINE constexpr void for_some_links([[maybe_unused]] F& f, std::integer_sequence<int, Number...>) {
   (call_for_link<First + Number>(f), ...);
+}
+// Clang folds 256 at most.
+template <int First, int Count, class F>
+CCA_INLINE constexpr void for_each_link([[maybe_unused]] F& f) {
+  if constexpr (Count > 128) {
+    for_each_link<First, Count / 2>(f);
+    for_each_link<First + Count / 2, Count - Count / 2>(f);
+  } else {
+    for_some_links<First>(f, std::make_integer_sequence<int, Count>{});
+  }
 }
 template <class Graph, int Call, class F>
 CCA_INLINE void for_each_observed(F f) {
   constexpr link_range range = links_of_call<Graph, Call>;
-  for_each_link<range.first>(f, std::make_integer_sequence<int, range.count>{});
+  for_each_link<range.first, range.count>(f);
 }
 
 // One link, as its observer reads it.
@@ -145,12 +155,11 @@ class observations {
   // Where the room for the sample of each link begins.
   static constexpr auto rooms_at = [] {
     std::array<std::size_t, array_size(range.count + 1)> begins{};
-    [&]<int... Number>(std::integer_sequence<int, Number...>) {
-      (void)((begins[array_size(Number + 1)] =
-                  begins[array_size(Number)] +
-                  room_of_sample(observed_sample<Graph, range.first + Number>::space.size)),
-             ...);
-    }(std::make_integer_sequence<int, range.count>{});
+    const auto add = [&]<int Link>() {
+      constexpr std::size_t number = array_size(Link - range.first);
+      begins[number + 1] = begins[number] + room_of_sample(observed_sample<Graph, Link>::space.size);
+    };
+    for_each_link<range.first, range.count>(add);
     return begins;
   }();
 
@@ -166,7 +175,7 @@ public:
                          &from::space,
                          rooms + rooms_at[number]};
     };
-    for_each_link<range.first>(hear, std::make_integer_sequence<int, range.count>{});
+    for_each_link<range.first, range.count>(hear);
   }
   observations(const observations&) = delete;
   observations& operator=(const observations&) = delete;
@@ -288,7 +297,8 @@ void observe_outside([[maybe_unused]] const controller_state<Graph>& state,
                      [[maybe_unused]] std::int64_t k,
                      [[maybe_unused]] F& f) {
   [&]<int... Link>(std::integer_sequence<int, Link...>) {
-    (observe_link<Graph, Link>(state, k, f), ...);
+    const int all[] = {0, (observe_link<Graph, Link>(state, k, f), 0)...};
+    (void)all;
   }(links_outside<Graph>{});
 }
 // The program has seen them: the next call shows the next ones.
@@ -301,7 +311,8 @@ void take_link([[maybe_unused]] controller_state<Graph>& state) {
 template <class Graph>
 void take_outside([[maybe_unused]] controller_state<Graph>& state) {
   [&]<int... Link>(std::integer_sequence<int, Link...>) {
-    (take_link<Graph, Link>(state), ...);
+    const int all[] = {0, (take_link<Graph, Link>(state), 0)...};
+    (void)all;
   }(links_outside<Graph>{});
 }
 
