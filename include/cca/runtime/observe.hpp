@@ -46,7 +46,7 @@ template <int First, class F, int... Number>
 CCA_INLINE constexpr void for_some_links([[maybe_unused]] F& f, std::integer_sequence<int, Number...>) {
   (call_for_link<First + Number>(f), ...);
 }
-// Clang folds 256 at most.
+// In halves: docs/compilers.md.
 template <int First, int Count, class F>
 CCA_INLINE constexpr void for_each_link([[maybe_unused]] F& f) {
   if constexpr (Count > 128) {
