@@ -25,7 +25,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/base/type_name.hpp>
-#include <cca/graph/plan/deployment/part.hpp>
+#include <cca/graph/plan/deployment/deployed_modes.hpp>
 #include <cca/graph/plan/modes/plan_of_modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/trace/trace_writer.hpp>
@@ -86,14 +86,20 @@ struct traced_loops<deployed<D>> {
     return all;
   }
   static trace_track::room room(int) {
-    trace_track::room one{.in_beat = static_cast<std::size_t>(positions_in_beat<D>)};
+    trace_track::room one{.in_beat = array_size(counts_of<D>.order_count)};
+    if constexpr (DeploymentOfModes<D>)
+      for_each_deployed_mode<D>([&]<class Mode>() {
+        one.in_beat = std::max(one.in_beat, array_size(counts_of<Mode>.order_count));
+      });
     if constexpr (Recordable<D>)
       one.words = most_words(std::make_integer_sequence<int, environment_count<D>>{});
     return one;
   }
   template <int... E>
   static constexpr std::size_t most_words(std::integer_sequence<int, E...>) {
-    return std::max({std::size_t{0}, array_size(frame_layout_of<loop_key<D, E>>.words)...});
+    if constexpr (DeploymentOfModes<D>)
+      return std::max({std::size_t{0}, array_size(frame_layout_of<modes_in<D, E>>.words)...});
+    else return std::max({std::size_t{0}, array_size(frame_layout_of<part<D, E>>.words)...});
   }
 };
 template <Modes M>

@@ -8,6 +8,7 @@
 
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include <cca/graph/diagnosis/diagnosis_of_modes.hpp>
 #include <cca/graph/plan/deployment/part.hpp>
@@ -29,6 +30,14 @@ struct deployed_mode : marks_of<D> {
   static constexpr std::string_view cca_mode_name = item_of_modes<mode_item<D, I>>::name;
 };
 template <class D> concept DeployedMode = requires { typename D::cca_whole; };
+
+// Calls f.template operator()<deployed_mode<D, I>>() for each mode of a deployment.
+template <class D, class F>
+constexpr void for_each_deployed_mode(F f) {
+  [&]<int... I>(std::integer_sequence<int, I...>) {
+    (f.template operator()<deployed_mode<D, I>>(), ...);
+  }(std::make_integer_sequence<int, mode_count<D>>{});
+}
 
 // What the environments of a deployment share is that of the whole.
 template <class D>

@@ -15,14 +15,6 @@ constexpr bool has_part(int number) {
     if (plan_of<D>.nodes[array_size(n)].environment == E && is_in_part<D>(n, number)) return true;
   return false;
 }
-// Calls f.template operator()<deployed_mode<D, I>>() for each mode of a deployment.
-template <class D, class F>
-constexpr void for_each_deployed_mode(F f) {
-  [&]<int... I>(std::integer_sequence<int, I...>) {
-    (f.template operator()<deployed_mode<D, I>>(), ...);
-  }(std::make_integer_sequence<int, mode_count<D>>{});
-}
-
 template <class D>
 constexpr bool asks_for_part(int environment, int number) {
   for (int r = 0; r < counts_of<D>.request_count; ++r) {
