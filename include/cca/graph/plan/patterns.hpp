@@ -33,9 +33,16 @@ struct words_of_path {
   constexpr int count() const { return most_names - first; }
 };
 
+// Asked for each port: to compare with a literal takes several times as many constexpr steps.
+constexpr bool is_one_name(std::string_view word) { return word.size() == 1 && word.front() == '*'; }
+constexpr bool is_any_names(std::string_view word) {
+  return word.size() == 2 && word.front() == '*' && word.back() == '*';
+}
+
 constexpr bool matches(const std::string_view* word, int words, const std::string_view* name, int names) {
-  for (; words > 0 && *word != "**"; ++word, --words, ++name, --names)
-    if (names == 0 || (*word != "*" && *word != *name)) return false;
+  for (; words > 0 && !is_any_names(*word); ++word, --words, ++name, --names)
+    if (names == 0 || (!is_one_name(*word) && *word != *name)) return false;
+  if (words == 1) return true;
   if (words == 0) return names == 0;
   for (int skipped = 0; skipped <= names; ++skipped)
     if (matches(word + 1, words - 1, name + skipped, names - skipped)) return true;
@@ -59,10 +66,10 @@ struct one_pattern {
     }
   }
   constexpr std::string_view last() const { return path.words.back(); }
-  constexpr bool names_inputs() const { return last() == "**"; }
+  constexpr bool names_inputs() const { return is_any_names(last()); }
   // Before the whole path of a port is put together.
   constexpr bool may_name(std::string_view port) const {
-    return last() == "*" || last() == "**" || last() == port;
+    return is_any_names(last()) || is_one_name(last()) || last() == port;
   }
   constexpr bool names(const words_of_path& port) const {
     return matches(path.begin(), path.count(), port.begin(), port.count());
@@ -133,15 +140,19 @@ constexpr port_name name_as(const flat_view& g, const Port& p, ref<item_info> as
   return found;
 }
 
-// The path of a name from a graph on; empty: it stands outside of it.
-constexpr words_of_path path_from(const flat_view& g, const port_name& name, int in_scope) {
-  words_of_path path;
+// The path of a name from a graph on. False: it stands outside of it.
+constexpr bool find_path(words_of_path& path, const flat_view& g, const port_name& name, int in_scope) {
+  path.first = most_names;
   path.put_before(name.port);
   path.put_before(name.node);
   int s = name.scope;
   for (; s != in_scope && s >= 0; s = g.scopes[s].parent)
     if (g.scopes[s].item) path.put_before(g.scopes[s].item->from);
-  return s == in_scope ? path : words_of_path();
+  return s == in_scope;
+}
+constexpr words_of_path path_from(const flat_view& g, const port_name& name, int in_scope) {
+  words_of_path path;
+  return find_path(path, g, name, in_scope) ? path : words_of_path();
 }
 constexpr void add_path(text& t, const words_of_path& path) {
   for (int i = 0; i < path.count(); ++i) t << (i > 0 ? "." : "") << path.begin()[i];
@@ -179,7 +190,8 @@ struct pattern_search {
   const flat_view& g;
   const pattern& whole;
   int in_scope;
-  int observer = -1;  // the call that observes, which does not hear its own ports; -1: none
+  int observer = -1;    // the call that observes, which does not hear its own ports; -1: none
+  words_of_path& path;  // of the port that is looked at: to make one for each takes many constexpr steps
 
   // `as`: the name under which it is found.
   template <class Port>
@@ -190,8 +202,7 @@ struct pattern_search {
         if ((is_input && !one.names_inputs()) || (one.from_outermost && in_scope != 0) ||
             !one.may_name(name.port))
           continue;
-        const auto path = path_from(g, name, in_scope);
-        if (path.count() == 0 || !one.names(path)) continue;
+        if (!find_path(path, g, name, in_scope) || !one.names(path)) continue;
         as = name.as;
         return true;
       }
@@ -224,8 +235,9 @@ struct pattern_search {
 template <class F>
 constexpr int for_each_named(const flat_view& g, std::string_view text, int scope, int observer, F f) {
   const pattern whole(text);
+  words_of_path path;
   for (int s = scope; s >= 0; s = g.scopes[s].parent)
-    if (const int count = pattern_search{g, whole, s, observer}.for_each(f); count > 0) return count;
+    if (const int count = pattern_search{g, whole, s, observer, path}.for_each(f); count > 0) return count;
   return 0;
 }
 
