@@ -17,7 +17,8 @@ template <class Played>
 std::string told(const Played& c) {
   std::ostringstream text;
   text << std::hexfloat << c.beat_index() << ' ' << cca::to_string(c.state()) << ' ' << c.fault().reason()
-       << ' ' << c.fault_path() << ' ' << c.template get<"robot">().command;
+       << ' ' << c.fault_path() << ' ' << c.template get<"robot">().command << ' '
+       << c.template get<"witness">().hash;
   const auto tell = [&](const char* name, const logbook& one) {
     text << '\n' << name << ' ' << one.hash << ' ' << one.seen << ' ' << one.last << ' ' << one.lost;
   };
@@ -50,9 +51,9 @@ void check_same(F plays) {
 struct two_free
     : cca::deployment<architecture,
                       cca::environment<"robot", cca::nodes<"robot">>,
-                      cca::environment<"inside", cca::nodes<"inside", "counts">, cca::free_running>,
+                      cca::environment<"inside", cca::nodes<"inside", "counts", "pauses">, cca::free_running>,
                       cca::environment<"eyes", cca::nodes<"eyes">, cca::free_running>,
-                      cca::environment<"mind", cca::nodes<"mind", "merged", "first", "echo">>,
+                      cca::environment<"mind", cca::nodes<"mind", "merged", "witness", "first", "echo">>,
                       cca::environment<"rest", cca::other_nodes>> {};
 
 // From its fortieth cycle on it publishes more than is read.
@@ -91,8 +92,10 @@ struct flooded_apart
 struct notes {
   std::vector<double> seen{}, lost{};
   void process(cca::in<"x", number> x) {
-    seen.push_back(x[cca::x{}]);
-    lost.push_back(static_cast<double>(x.dropped()));
+    if (x.fresh()) {  // its first cycle may begin before the first sample has come
+      seen.push_back(x[cca::x{}]);
+      lost.push_back(static_cast<double>(x.dropped()));
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 };

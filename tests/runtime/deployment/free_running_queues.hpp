@@ -62,6 +62,19 @@ struct logbook {
     return hash;
   }
 };
+// Its cycles take as long as those of the eyes.
+struct pauses {
+  void process(cca::beat) {
+    if (cycle_in_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(cycle_in_us.load()));
+  }
+};
+// Sees what waits for another component.
+struct witness {
+  double hash = 0;
+  void process(cca::observe<"merged.x.**"> all) {
+    for (const auto& one : all) hash = std::fmod(1.21 * hash + one.values[0] + (one.fresh ? 0.5 : 0), 1e6);
+  }
+};
 struct alarm {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (double, most));
@@ -76,10 +89,12 @@ struct architecture
     : cca::graph<cca::rate<1000>,
                  cca::node<"robot", robot>,
                  cca::node<"first", counter>,
+                 cca::node<"witness", witness, cca::timed<1>>,
                  cca::node<"merged", logbook, cca::timed<2>>,
                  cca::node<"eyes", eyes, cca::full_speed>,
                  cca::node<"echo", echo>,
                  cca::node<"counts", logbook, cca::full_speed>,
+                 cca::node<"pauses", pauses, cca::full_speed>,
                  cca::node<"alarm", alarm>,
                  cca::node<"mind", logbook>,
                  cca::node<"newest", logbook, cca::timed<3, 1>>,
@@ -109,11 +124,12 @@ struct architecture
 
 template <class... Options>
 struct spread
-    : cca::deployment<architecture,
-                      cca::environment<"robot", cca::nodes<"robot", "first", "merged", "echo", "alarm">>,
-                      cca::environment<"eyes", cca::nodes<"eyes", "inside">, cca::free_running>,
-                      cca::environment<"counts", cca::nodes<"counts">, cca::free_running>,
-                      cca::environment<"mind", cca::other_nodes>,
-                      Options...> {};
+    : cca::deployment<
+          architecture,
+          cca::environment<"robot", cca::nodes<"robot", "first", "merged", "witness", "echo", "alarm">>,
+          cca::environment<"eyes", cca::nodes<"eyes", "inside">, cca::free_running>,
+          cca::environment<"counts", cca::nodes<"counts", "pauses">, cca::free_running>,
+          cca::environment<"mind", cca::other_nodes>,
+          Options...> {};
 
 }  // namespace free_queues

@@ -27,7 +27,7 @@ std::string file() {
 template <class F>
 cca::recording::replay_result recorded(F runs) {
   cca::recording::replay_result result;
-  for (const double speed : {0.5, 0.1, 0.03}) {
+  for (const double speed : {0.5, 0.1, 0.03, 0.03}) {
     {
       cca::deployed<apart> d;
       const cca::recording::recorder into(d, file());
@@ -37,7 +37,7 @@ cca::recording::replay_result recorded(F runs) {
       d.stop();
     }
     result = cca::recording::replay<apart>(file());
-    if (result.ended_early.find("left out beats") == std::string::npos) break;
+    if (result.ended_early.empty()) break;
   }
   std::filesystem::remove(file());
   return result;

@@ -119,8 +119,11 @@ struct layout_step {
   constexpr void place_components() {
     typename Layout::node_keys types;
     for (int n = 0; n < g.node_count; ++n) {
-      if (g.calls[g.nodes[n].first_call].elsewhere) continue;
-      const int first = types.first(g.nodes[n].item->component->key, n);
+      const auto& c = g.calls[g.nodes[n].first_call];
+      if (c.elsewhere) continue;
+      // In a replay those of free-running environments are of another type (record/replay/replayed.hpp).
+      const std::uint64_t key = g.nodes[n].item->component->key;
+      const int first = types.first(c.irregular ? mixed(key, 1) : key, n);
       to.components[n] = {first, to.component_counts[first]++};
     }
   }

@@ -50,17 +50,21 @@ constexpr bool may_be_rejected_in(const flat_view& g, int call, int environment)
   return false;
 }
 
-// Does a call publish at once into a queue that another one fills at once from elsewhere, and before it?
+// Does a call publish at once into a queue that another one fills at once from elsewhere, and before it? Or
+// does it observe what waits there?
 constexpr bool shares_queue(const flat_view& g, int from, int to) {
   const auto& c = g.calls[to];
   bool found = false;
+  const auto is_filled = [&](const input& way) {
+    found |= crosses_at_once(g, way) && g.outputs[way.writer].call == from;
+  };
+  for (int h = g.first_link; g.queue_count > 0 && h < g.input_count; ++h)
+    if (const auto& in = g.inputs[h]; in.call == to && in.shows >= 0) for_each_way(g, in.shows, is_filled);
   for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
     for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       const auto& in = g.inputs[i];
       if (!is_merged(in) || in.delay > 0 || crosses_at_once(g, in)) continue;
-      for_each_way(g, in.way_of >= 0 ? in.way_of : i, [&](const input& way) {
-        found |= crosses_at_once(g, way) && g.outputs[way.writer].call == from;
-      });
+      for_each_way(g, in.way_of >= 0 ? in.way_of : i, is_filled);
     }
   return found;
 }

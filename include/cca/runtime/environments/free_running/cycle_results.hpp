@@ -134,7 +134,7 @@ private:
   static constexpr std::uint32_t number = 3, fresh = 4;
 
   void hand_over() noexcept {
-    const std::uint32_t before = newest;
+    [[maybe_unused]] const std::uint32_t before = newest;
     newest = std::uint32_t{own};
     const std::uint32_t got = between.exchange(own | fresh, std::memory_order_acq_rel);
     own = got & number;

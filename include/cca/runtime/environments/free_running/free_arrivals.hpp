@@ -26,7 +26,7 @@ public:
     news = nullptr;
   }
   // Beat k begins.
-  void admit(exchange<D>& shared, std::int64_t k) noexcept {
+  void admit(exchange<D>& shared, [[maybe_unused]] std::int64_t k) noexcept {
     news = shared.template results<E>().take();
     if (news) (admit_one<Output>(shared, k), ...);
   }

@@ -42,6 +42,19 @@ private:
   bool is_playing = false;
 };
 
+// One that publishes nothing rests.
+template <class Component, class... Parameters>
+struct plays_freely<Component, cca::detail::list<void, Parameters...>> : Component {
+  void process(Parameters... inputs) {
+    if (!is_playing) Component::process(inputs...);
+  }
+  void begin_playing() { is_playing = true; }
+  bool plays() const { return is_playing; }
+
+private:
+  bool is_playing = false;
+};
+
 template <class Component>
 using replayed_freely = plays_freely<Component, signature_of<decltype(&Component::process)>>;
 
