@@ -261,7 +261,10 @@ TEST_SUITE("liars over dds") {
       return std::string(s.complaint(of, newest));
     };
     CHECK_EQ(complaint([](status&) {}), "");
-    CHECK_EQ(complaint([](status& s) { s[status::flags] = 16; }), "flags that do not exist");
+    CHECK_EQ(complaint([](status& s) { s[status::flags] = status::is_paused; }), "");
+    CHECK_EQ(complaint([](status& s) { s[status::flags] = 2 * status::is_paused; }),
+             "flags that do not exist");
+    CHECK_EQ(complaint([](status& s) { s[status::mode] = 1; }), "a mode that does not exist");
     CHECK_EQ(complaint([](status& s) { s[status::position] = -2; }), "a beat that can't be");
     CHECK_EQ(complaint([](status& s) { s[status::position] = 8 * 1'000'000; }), "a beat that can't be");
     CHECK_EQ(complaint([](status& s) { s[status::position] = 8 * 1'000'000; }, 999'000), "");
