@@ -10,6 +10,7 @@
 #include <cca/config.hpp>
 
 #include "robot_and_mind.hpp"
+#include "same_story.hpp"
 
 using namespace deployment_test;
 
@@ -24,28 +25,13 @@ std::string told(const Played& c) {
        << ' ' << c.fault_path() << ' ' << c.template get<"filter">().kept << ' '
        << c.template get<"thinker">().sum << ' ' << c.template get<"device">().command << ' '
        << c.template get<"device">().senses << ' ' << c.template get<"device">().faults;
-  c.observed([&](const cca::observation& o) {
-    text << '\n' << o.path << ' ' << o.origin << ' ' << o.fresh;
-    for (const double value : o.values) text << ' ' << value;
-  });
+  same_story::tell_observed(text, c);
   return text.str();
 }
 
-template <class Played, class F>
-std::vector<std::string> story(F plays) {
-  std::vector<std::string> pages;
-  Played c;
-  plays(c, [&] { pages.push_back(told(c)); });
-  return pages;
-}
-
-// The same for both, page by page.
 template <class Deployment, class F>
 void check_same(F plays) {
-  const auto one_loop = story<cca::controller<architecture>>(plays);
-  const auto spread = story<cca::deployed<Deployment>>(plays);
-  REQUIRE_EQ(one_loop.size(), spread.size());
-  for (std::size_t page = 0; page < one_loop.size(); ++page) CHECK_EQ(one_loop[page], spread[page]);
+  same_story::check<architecture, Deployment>(plays, [](const auto& c) { return told(c); });
 }
 
 struct three : cca::deployment<architecture,

@@ -12,6 +12,7 @@
 #include <cca/runtime/live/live_access.hpp>
 
 #include "free_running.hpp"
+#include "same_story.hpp"
 
 using namespace deployment_test;
 
@@ -31,26 +32,13 @@ std::string told(const Played& c) {
        << c.template get<"log">().sum << ' ' << c.template get<"history">().sum << ' '
        << c.template get<"watcher">().sum << ' ' << c.template get<"device">().command << ' '
        << c.template get<"device">().faults;
-  c.observed([&](const cca::observation& o) {
-    text << '\n' << o.path << ' ' << o.origin << ' ' << o.fresh;
-    for (const double value : o.values) text << ' ' << value;
-  });
+  same_story::tell_observed(text, c);
   return text.str();
 }
 
-template <class Played, class F>
-std::vector<std::string> story(F plays) {
-  std::vector<std::string> pages;
-  Played c;
-  plays(c, [&] { pages.push_back(told(c)); });
-  return pages;
-}
 template <class Deployment, class F>
 void check_same(F plays) {
-  const auto one_loop = story<cca::controller<seeing>>(plays);
-  const auto spread = story<cca::deployed<Deployment>>(plays);
-  REQUIRE_EQ(one_loop.size(), spread.size());
-  for (std::size_t page = 0; page < one_loop.size(); ++page) CHECK_EQ(one_loop[page], spread[page]);
+  same_story::check<seeing, Deployment>(plays, [](const auto& c) { return told(c); });
 }
 
 struct two_free
@@ -59,14 +47,6 @@ struct two_free
                       cca::environment<"memory", cca::nodes<"memory", "history">, cca::free_running>,
                       cca::environment<"mind", cca::nodes<"glancer", "log", "watcher">>,
                       cca::environment<"eyes", cca::other_nodes, cca::free_running>> {};
-
-// Gives back what the tests change.
-struct cycles_of {
-  explicit cycles_of(std::int64_t microseconds) { cycle_in_us = microseconds; }
-  ~cycles_of() { cycle_in_us = 0, cycle_hangs = false; }
-  cycles_of(const cycles_of&) = delete;
-  cycles_of& operator=(const cycles_of&) = delete;
-};
 
 }  // namespace
 

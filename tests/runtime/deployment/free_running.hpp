@@ -3,20 +3,18 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
-#include <thread>
 #include <tuple>
 
 #include <cca/deployment.hpp>
 
+#include "cycle_time.hpp"
 #include "robot_and_mind.hpp"
 
 namespace deployment_test {
 
-// How long a cycle takes, and since when; for tests in a wall-clock run.
-inline std::atomic<std::int64_t> cycle_in_us{0};
-inline std::atomic<bool> cycle_hangs{false};
+using free_cycles::cycle_hangs;
+using free_cycles::cycle_in_us, free_cycles::cycles_of, free_cycles::take_time;
 inline std::atomic<std::int64_t> cycles_begun{0};
 
 // Finds the level in what was measured, and now and then something that is worth a glance.
@@ -38,8 +36,7 @@ struct eyes {
     went_back = went_back || now.index() < last;
     last = now.index();
     kept += p.gain * (image[cca::x{}] - kept) + 0.001 * image[cca::y{}];
-    if (cycle_in_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(cycle_in_us.load()));
-    while (cycle_hangs) std::this_thread::sleep_for(std::chrono::microseconds(100));
+    take_time();
     return {kept,
             cycles % 7 == 3 ? cca::maybe<"glance", level>(static_cast<double>(cycles))
                             : cca::maybe<"glance", level>(),

@@ -11,6 +11,7 @@
 #include <cca/runtime/live/live_access.hpp>
 
 #include "free_running_parts.hpp"
+#include "same_story.hpp"
 
 using namespace free_parts;
 
@@ -36,20 +37,6 @@ std::string told(const Played& c) {
   for (const char* part : {"eyes", "sight", "brief", "steady"}) text << ' ' << c.is_stopped(part);
   return text.str();
 }
-template <class Played, class F>
-std::vector<std::string> story(F plays) {
-  std::vector<std::string> pages;
-  Played c;
-  plays(c, [&] { pages.push_back(told(c)); });
-  return pages;
-}
-
-struct cycles_of {
-  explicit cycles_of(std::int64_t microseconds) { cycle_in_us = microseconds; }
-  ~cycles_of() { cycle_in_us = 0; }
-  cycles_of(const cycles_of&) = delete;
-  cycles_of& operator=(const cycles_of&) = delete;
-};
 
 }  // namespace
 
@@ -90,10 +77,7 @@ TEST_SUITE("deployed free-running parts") {
       c.run(cca::for_beats<20>{});
       tell();
     };
-    const auto one_loop = story<cca::controller<architecture>>(plays);
-    const auto apart = story<cca::deployed<spread<>>>(plays);
-    REQUIRE_EQ(one_loop.size(), apart.size());
-    for (std::size_t page = 0; page < one_loop.size(); ++page) CHECK_EQ(one_loop[page], apart[page]);
+    same_story::check<architecture, spread<>>(plays, [](const auto& c) { return told(c); });
   }
 
   TEST_CASE("in a wall-clock run a part stops when its cycle ends, and a run in a fast run goes on") {

@@ -2,20 +2,19 @@
 // environment, by themselves and from outside.
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <thread>
 #include <tuple>
 
 #include <cca/deployment.hpp>
+
+#include "cycle_time.hpp"
 
 namespace free_parts {
 
 struct number : cca::space<cca::number, cca::axes<cca::x>> {};
 
-inline std::atomic<std::int64_t> cycle_in_us{0};
+using free_cycles::cycle_in_us, free_cycles::cycles_of, free_cycles::take_time;
 
 struct robot {
   double n = 0, command = 0;
@@ -46,8 +45,7 @@ struct looks {
     hash = std::fmod(
         1.3 * hash + x[cca::x{}] + (x.fresh() ? 0.5 : 0) + now.dt() + 1e-9 * static_cast<double>(x.origin()),
         1e3);
-    if (TakesLong && cycle_in_us > 0)
-      std::this_thread::sleep_for(std::chrono::microseconds(cycle_in_us.load()));
+    if (TakesLong) take_time();
     return hash;
   }
   void on_start() { ++starts; }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "free_running_queues.hpp"
+#include "same_story.hpp"
 
 using namespace free_queues;
 
@@ -33,19 +34,9 @@ std::string told(const Played& c) {
     text << '\n' << input << ' ' << c.dropped(input);
   return text.str();
 }
-template <class Played, class F>
-std::vector<std::string> story(F plays) {
-  std::vector<std::string> pages;
-  Played c;
-  plays(c, [&] { pages.push_back(told(c)); });
-  return pages;
-}
 template <class Deployment, class F>
 void check_same(F plays) {
-  const auto one_loop = story<cca::controller<architecture>>(plays);
-  const auto apart = story<cca::deployed<Deployment>>(plays);
-  REQUIRE_EQ(one_loop.size(), apart.size());
-  for (std::size_t page = 0; page < one_loop.size(); ++page) CHECK_EQ(one_loop[page], apart[page]);
+  same_story::check<architecture, Deployment>(plays, [](const auto& c) { return told(c); });
 }
 
 struct two_free
@@ -114,13 +105,6 @@ struct slow_apart : cca::deployment<slowly_read,
                                     cca::environment<"a", cca::nodes<"a">, cca::free_running>,
                                     cca::environment<"b", cca::nodes<"b">, cca::free_running>,
                                     cca::environment<"c", cca::nodes<"c">, cca::free_running>> {};
-
-struct cycles_of {
-  explicit cycles_of(std::int64_t microseconds) { cycle_in_us = microseconds; }
-  ~cycles_of() { cycle_in_us = 0; }
-  cycles_of(const cycles_of&) = delete;
-  cycles_of& operator=(const cycles_of&) = delete;
-};
 
 }  // namespace
 

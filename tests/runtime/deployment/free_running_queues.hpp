@@ -1,21 +1,20 @@
 // Queues and merged wires to and from free-running environments, with and without delay.
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <thread>
 #include <tuple>
 #include <vector>
 
 #include <cca/deployment.hpp>
 
+#include "cycle_time.hpp"
+
 namespace free_queues {
 
 struct number : cca::space<cca::number, cca::axes<cca::x>> {};
 
-inline std::atomic<std::int64_t> cycle_in_us{0};
+using free_cycles::cycle_in_us, free_cycles::cycles_of, free_cycles::take_time;
 
 // Counts from 1 on.
 struct counter {
@@ -35,7 +34,7 @@ struct eyes {
   auto process(cca::in<"x", number> x) -> std::tuple<cca::out<"y", number>, cca::maybe<"rare", number>> {
     sum = 0.5 * sum + x[cca::x{}];
     ++cycles;
-    if (cycle_in_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(cycle_in_us.load()));
+    take_time();
     return {cycles, static_cast<int>(cycles) % 3 == 1 ? cca::maybe<"rare", number>(sum)
                                                       : cca::maybe<"rare", number>()};
   }
@@ -64,9 +63,7 @@ struct logbook {
 };
 // Its cycles take as long as those of the eyes.
 struct pauses {
-  void process(cca::beat) {
-    if (cycle_in_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(cycle_in_us.load()));
-  }
+  void process(cca::beat) { take_time(); }
 };
 // Sees what waits for another component.
 struct witness {

@@ -64,7 +64,7 @@ std::vector<std::vector<heard>> told(Controller& c) {
 }  // namespace
 
 TEST_SUITE("scopes between environments") {
-  TEST_CASE("what is heard is what is heard in one loop") {
+  TEST_CASE("observers get what they get in one loop") {
     cca::controller<whole> one;
     cca::deployed<split> environments;
     const auto expected = told(one);

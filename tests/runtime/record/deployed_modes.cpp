@@ -2,41 +2,17 @@
 // replayed in one loop.
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <cca/deployment.hpp>
 #include <cca/modes.hpp>
 #include <cca/trace.hpp>
 
-#include "graphs.hpp"
+#include "two_modes.hpp"
 
 using namespace record_test;
 
 namespace {
-
-struct gait {
-  struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (double, amplitude));
-  };
-  parameters p{0.3};
-  auto process(cca::in<"x", leg_angles> x, cca::beat now)
-      -> std::tuple<cca::out<"angles", leg_angles>, cca::switch_to<"stand">> {
-    phase += 6 * now.dt();
-    return {Eigen::Vector2d(p.amplitude * std::sin(phase), x[knee{}]), now.index() == 200};
-  }
-  double phase = 0;
-};
-struct stance {
-  auto process(cca::in<"x", leg_angles> x, cca::beat now)
-      -> std::tuple<cca::out<"height", steps>, cca::out<"angles", leg_angles>, cca::switch_to<"walk">> {
-    sum += x[hip{}];
-    return {sum, 0.9 * x.vector(), now.index() == 300};
-  }
-  double sum = 0;
-};
 
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"gait", gait>,
@@ -88,21 +64,9 @@ TEST_CASE("the recording of a deployment of modes has each switch once, and is r
     CHECK(recording.problem() == "");
     CHECK(recording.lost_beats() == 0);
   }
-  std::vector<std::string> modes;
-  std::map<std::string, int> count;
-  cca::recording::mcap_reader all(file.name);
-  for (cca::recording::mcap_message m; all.next(m);) {
-    const std::string& topic = all.channels().at(m.channel).topic;
-    ++count[topic];
-    if (topic != "/cca/mode") continue;
-    cca::recording::detail::cdr_reader from(m.data);
-    const auto beat = from.number<std::int64_t>();
-    const std::string mode(from.text());
-    modes.push_back(std::to_string(beat) + " " + mode +
-                    (from.number<std::uint8_t>() == 1 ? " requested" : ""));
-  }
-  CHECK(modes ==
-        std::vector<std::string>{"0 walk", "201 stand requested", "301 walk requested", "500 stand"});
+  auto [modes, count] = modes_recorded_in(file.name);
+  CHECK(modes == std::vector<switched>{
+                     {0, "walk", false}, {201, "stand", true}, {301, "walk", true}, {500, "stand", false}});
   CHECK(count["/gait/angles"] == 200 + 199);
   CHECK(count["/stance/height"] == 100 + 100);
   CHECK(count["/leg/angles"] == 600);

@@ -52,13 +52,6 @@ std::string file() {
       .string();
 }
 
-struct cycles_of {
-  explicit cycles_of(std::int64_t microseconds) { cycle_in_us = microseconds; }
-  ~cycles_of() { cycle_in_us = 0; }
-  cycles_of(const cycles_of&) = delete;
-  cycles_of& operator=(const cycles_of&) = delete;
-};
-
 // Runs and replays, and again slower where the busy machine left out beats of the mind.
 template <class D, class F>
 cca::recording::replay_result recorded(F runs) {

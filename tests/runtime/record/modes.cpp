@@ -1,41 +1,16 @@
 // The recording of a set of modes has the active mode and each switch, and can be replayed.
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <cca/modes.hpp>
 #include <cca/trace.hpp>
 
-#include "graphs.hpp"
+#include "two_modes.hpp"
 
 using namespace record_test;
 
 namespace {
-
-struct gait {
-  struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (double, amplitude));
-  };
-  parameters p{0.3};
-  auto process(cca::in<"x", leg_angles> x, cca::beat now)
-      -> std::tuple<cca::out<"angles", leg_angles>, cca::switch_to<"stand">> {
-    phase += 6 * now.dt();
-    return {Eigen::Vector2d(p.amplitude * std::sin(phase), x[knee{}]), now.index() == 200};
-  }
-  double phase = 0;
-};
-struct stance {
-  auto process(cca::in<"x", leg_angles> x, cca::beat now)
-      -> std::tuple<cca::out<"height", steps>, cca::out<"angles", leg_angles>, cca::switch_to<"walk">> {
-    sum += x[hip{}];
-    return {sum, 0.9 * x.vector(), now.index() == stands_until};
-  }
-  double sum = 0;
-  std::int64_t stands_until = 300;
-};
 
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"gait", gait>,
@@ -74,13 +49,6 @@ std::vector<double> drive(Controller& c) {
   return at;
 }
 
-struct switched {
-  std::int64_t beat;
-  std::string mode;
-  bool requested;
-  bool operator==(const switched&) const = default;
-};
-
 }  // namespace
 
 TEST_CASE("the recording of a set of modes has the active mode, its switches, and what each mode publishes") {
@@ -94,19 +62,7 @@ TEST_CASE("the recording of a set of modes has the active mode, its switches, an
     CHECK(recording.problem() == "");
     CHECK(recording.lost_beats() == 0);
   }
-  std::vector<switched> modes;
-  std::map<std::string, int> count;
-  cca::recording::mcap_reader all(file.name);
-  for (cca::recording::mcap_message m; all.next(m);) {
-    const std::string& topic = all.channels().at(m.channel).topic;
-    ++count[topic];
-    if (topic != "/cca/mode") continue;
-    cca::recording::detail::cdr_reader from(m.data);
-    const auto beat = from.number<std::int64_t>();
-    const std::string mode(from.text());
-    modes.push_back({beat, mode, from.number<std::uint8_t>() == 1});
-    CHECK(from.is_at_end());
-  }
+  auto [modes, count] = modes_recorded_in(file.name);
   CHECK(modes == std::vector<switched>{
                      {0, "walk", false}, {201, "stand", true}, {301, "walk", true}, {500, "stand", false}});
   CHECK(count["/gait/angles"] == 201 + 199);
