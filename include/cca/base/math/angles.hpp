@@ -14,6 +14,12 @@
 #include <cca/base/math/rounding.hpp>
 
 namespace cca::math {
+
+template <Real T>
+struct sine_and_cosine_of {
+  T sine, cosine;
+};
+
 namespace detail {
 
 inline constexpr double sine_terms[] = {-0x1.5555555555555p-3, 0x1.111111111101fp-7,   -0x1.a01a019fe8de3p-13,
@@ -122,11 +128,7 @@ CCA_INLINE constexpr pair<T> near_cosine(pair<T> r) {
 }
 
 template <Real T>
-struct both_of {
-  T sine, cosine;
-};
-template <Real T>
-CCA_INLINE constexpr both_of<T> turned(reduced<T> at) {
+CCA_INLINE constexpr sine_and_cosine_of<T> turned(reduced<T> at) {
   CCA_EXACT
   const pair<T> s = near_sine(at.rest), c = near_cosine(at.rest);
   const word<T> sine = bits(T(s.high + s.low)), cosine = bits(T(c.high + c.low)), odd = -(at.quarters & 1);
@@ -146,7 +148,7 @@ CCA_INLINE constexpr T turned_tangent(reduced<T> at) {
   return q.high + q.low;
 }
 
-[[gnu::noinline]] constexpr both_of<double> far_sine_and_cosine(double x) {
+[[gnu::noinline]] constexpr sine_and_cosine_of<double> far_sine_and_cosine(double x) {
   if (!(magnitude(x) < infinite)) return {not_a_number, not_a_number};
   return turned(reduce_far(x));
 }
@@ -158,16 +160,11 @@ CCA_INLINE constexpr T turned_tangent(reduced<T> at) {
 
 // Both of one angle.
 template <Real T>
-struct sine_and_cosine_of {
-  T sine, cosine;
-};
-template <Real T>
 CCA_INLINE constexpr sine_and_cosine_of<T> sine_and_cosine(T x) {
   auto [sine, cosine] = detail::turned(detail::reduce(x));
   if (!detail::everywhere(detail::can_reduce(x))) [[unlikely]] {
     if constexpr (std::same_as<T, double>) {
-      const auto far = detail::far_sine_and_cosine(x);
-      return {far.sine, far.cosine};
+      return detail::far_sine_and_cosine(x);
     } else {
       for (std::size_t i = 0; i < sizeof(T) / sizeof(double); ++i) {
         const auto of_lane = sine_and_cosine(x[i]);

@@ -4,8 +4,9 @@
 // does asin and acos of more than 1. atan2 as the C standard has it, with signs of zeros and infinite
 // arguments. Templates on the scalar: double, float (computed in double), lanes.
 //
-// atan(t), 0 <= t <= 1, is that of (t - 1) / (t + 1) and pi / 4 more where t is above tan(pi / 8). asin(x) of
-// x above 1/2 is pi / 2 - 2 asin(sqrt((1 - x) / 2)). Coefficients: tests/runtime/math/coefficients.sollya.
+// For t above tan(pi / 8), up to 1: atan(t) = pi / 4 + atan((t - 1) / (t + 1)).
+// For x above 1/2: asin(x) = pi / 2 - 2 asin(sqrt((1 - x) / 2)).
+// Coefficients: tests/runtime/math/coefficients.sollya.
 #pragma once
 
 #include <cca/base/math/roots.hpp>

@@ -111,8 +111,8 @@ CCA_INLINE constexpr T exp(T x) {
 // exp(x) - 1, also where exp(x) is nearly 1.
 template <Real T>
 CCA_INLINE constexpr T expm1(T x) {
-  const T size = detail::pick(x < -60, -60.0, detail::pick(x > 710.5, 710.5, x));
-  return detail::where(x == x, detail::or_tiny(x, T(detail::quarter_of_growth(size).high * 4)));
+  const T q = detail::quarter_of_growth(detail::clamped(x, -60, 710.5)).high;
+  return detail::where(x == x, detail::or_tiny(x, T(q * 4)));
 }
 
 template <Real T>

@@ -131,7 +131,7 @@ struct leaves_by_clock {
 // one is read at once its reader looks at the position.
 template <class D, int E, int... Output>
 inline constexpr bool samples_tell = [] {
-  if constexpr (DeployedMode<D>) return false;  // another mode may lack the component
+  if constexpr (DeploymentOfModes<D> || DeployedMode<D>) return false;  // another mode may lack the component
   auto plan = plan_of<D>;
   const flat_view g = plan.view();
   return !counts_of<part<D, E>>.may_fault && !asks_for_parts<D>(E) &&
@@ -139,9 +139,6 @@ inline constexpr bool samples_tell = [] {
            (published(g, g.outputs[Output]).known() && !is_read_at_once(g, Output))) &&
           ...);
 }();
-
-template <DeploymentOfModes D, int E, int... Output>
-inline constexpr bool samples_tell<D, E, Output...> = false;
 
 template <class D, int Output>
 inline constexpr bool is_of_free_running = [] {

@@ -93,7 +93,7 @@ template <class D>
 constexpr bool is_request(int leaving) {
   return leaving >= counts_of<D>.output_count;
 }
-// Behind them what comes from outside: what is asked for, and the number of the part or mode.
+// After them comes what is asked for from outside: what it is, and the number of the part or mode.
 template <class D>
 constexpr bool is_order(int leaving) {
   return leaving >= counts_of<D>.output_count + environment_count<D>;
