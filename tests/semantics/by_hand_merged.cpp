@@ -216,7 +216,7 @@ TEST_SUITE("semantics by hand: merged wires and delayed queues") {
   }
 
   TEST_CASE("origin: an observer of what is merged counts the samples that close no loop for it") {
-    // o hears what waits for q, to which it sends what it heard; so does the slow sensor.
+    // o observes the queue of q, and publishes into the same queue, as the slow sensor does.
     struct relay_heard {
       auto process(cca::observe<"q.x.**"> all) -> cca::out<"y", value> { return all.begin()->values[0]; }
     };

@@ -5,8 +5,8 @@
 //   foot.slip / foot.load     the mean speed of the slip, each moment weighted by its load, m/s
 //
 // The engine computes a step's forces for the speeds at its end, so the work of friction is force times that
-// speed. A contact's speed is that of the shape's material point relative to what it touches, along the
-// surface. Plain numbers, part of a world's state; they cost some operations for each contact.
+// speed. A contact's speed is that of the shape at the point of contact, along the surface, relative to what
+// it touches. Plain numbers, part of a world's state; they cost some operations for each contact.
 #pragma once
 
 #include <algorithm>
