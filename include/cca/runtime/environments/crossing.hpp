@@ -131,13 +131,16 @@ struct leaves_by_clock {
 // one is read at once its reader looks at the position.
 template <class D, int E, int... Output>
 inline constexpr bool samples_tell = [] {
-  if constexpr (DeploymentOfModes<D> || DeployedMode<D>) return false;  // another mode may lack the component
-  auto plan = plan_of<D>;
-  const flat_view g = plan.view();
-  return !counts_of<part<D, E>>.may_fault && !asks_for_parts<D>(E) &&
-         ((is_request<D>(Output) || environment_of(g, g.outputs[Output].call) != E ||
-           (published(g, g.outputs[Output]).known() && !is_read_at_once(g, Output))) &&
-          ...);
+  if constexpr (DeploymentOfModes<D> || DeployedMode<D>) {
+    return false;  // another mode may lack the component
+  } else {
+    auto plan = plan_of<D>;
+    const flat_view g = plan.view();
+    return !counts_of<part<D, E>>.may_fault && !asks_for_parts<D>(E) &&
+           ((is_request<D>(Output) || environment_of(g, g.outputs[Output].call) != E ||
+             (published(g, g.outputs[Output]).known() && !is_read_at_once(g, Output))) &&
+            ...);
+  }
 }();
 
 template <class D, int Output>
