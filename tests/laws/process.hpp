@@ -44,6 +44,12 @@ public:
     wait();
   }
   void stop() const { ::kill(child, SIGSTOP); }
+  // Until it has stopped itself.
+  void wait_until_it_stands() const {
+    int status = 0;
+    REQUIRE_EQ(::waitpid(child, &status, WUNTRACED), child);
+    REQUIRE(WIFSTOPPED(status));
+  }
   void go_on() const { ::kill(child, SIGCONT); }
   ~process() {
     if (child > 0) kill();

@@ -1,6 +1,7 @@
 // The environments of a deployment in processes of their own, over POSIX shared memory.
 #include <doctest/doctest.h>
 
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cca/config.hpp>
@@ -29,6 +31,16 @@ struct over_shared_memory {
     static int number = 0;
     return "/cca_test_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
   }
+};
+
+// While it waits for the others to call `run`, its process stops.
+struct stands_still_while_it_waits {
+  bool is_over() const {
+    if (std::exchange(is_first, false)) ::raise(SIGSTOP);
+    return false;
+  }
+  bool operator()(auto&) const { return true; }
+  mutable bool is_first = true;
 };
 
 // The memory of a process of another program, which says that it runs `mind`.
@@ -89,6 +101,39 @@ TEST_SUITE("deployed in processes") {
   }
   TEST_CASE("the robot's side idles while another process stands still") {
     transport_laws::idles_while_another_stands<over_shared_memory>();
+  }
+  TEST_CASE("who stands still since it has called run is waited for as long as one that has not") {
+    const std::string name = over_shared_memory::other_name();
+    process mind([&] {
+      auto d = transport_laws::opened<over_shared_memory>("mind", name);
+      d.load();
+      d.start();
+      try {
+        d.run(cca::for_beats<20>{}, cca::as_fast_as_possible(), stands_still_while_it_waits());
+        if (d.beat_index() != 0) return std::string("ran alone");
+      } catch (const cca::refused&) {}  // it has waited too long as well
+      d.run(cca::for_beats<20>{});
+      return transport_laws::state_of(d);
+    });
+    mind.wait_until_it_stands();
+    process robot([&] {
+      auto d = transport_laws::opened<over_shared_memory>("robot", name);
+      d.load();
+      d.start();
+      std::string said;
+      try {
+        d.run(cca::for_beats<20>{});
+      } catch (const cca::refused& e) { said = e.what(); }
+      said += "; " + transport_laws::state_of(d);
+      mind.go_on();
+      d.run(cca::for_beats<20>{});
+      return said + "; " + transport_laws::state_of(d);
+    });
+    CHECK_EQ(
+        robot.said(),
+        "cca::deployed: environment `mind` has called run, but has not begun it within 10 s: its process "
+        "stands still (SIGSTOP, a debugger): let it go on, or end it; 0 started  ; 20 started  ");
+    CHECK_EQ(mind.said(), "20 started  ");
   }
   TEST_CASE("a reader that stops costs the writer nothing") {
     transport_laws::is_not_held_up_by_a_stopped_reader<over_shared_memory>();

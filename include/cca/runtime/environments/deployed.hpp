@@ -212,17 +212,17 @@ private:
     if (terms.is_off) return true;
     if (terms.is_exact && !wants_exact) idle_beats = detail::idle_beats_at(as_fast_as_possible(), period());
     if (!terms.is_exact && wants_exact) idle_beats = detail::idle_beats_at(at_wall_clock(), period());
-    std::int64_t last_seen = terms.beat;
+    std::int64_t last_seen = k = terms.beat;
+    loops.for_each([&]<int E>(auto& loop) {
+      if (here[E])
+        loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead<D>,
+                     terms.beat);
+    });
+    own_mode::join_mode(terms);
+    together.begin(terms.beat, longest_wait, idle_beats, meanwhile);
     {
       const finished_run all_at_one_beat{*this, together, terms, idle_beats};
-      loops.for_each([&]<int E>(auto& loop) {
-        if (here[E])
-          loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead<D>,
-                       terms.beat);
-      });
-      own_mode::join_mode(terms);
       changes::begin_run(terms.is_exact);
-      together.begin(idle_beats, meanwhile);
       loops.for_each([&]<int E>(auto& first) {
         if (E != first_here()) return;
         const auto after_beat = [&] {

@@ -65,9 +65,8 @@ public:
         if (!agreed.is_stopped && !agreed.is_off && waited < longest) return true;
         withdraw();
         if (agreed.is_stopped || agreed.is_off) return false;
-        throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
-                      "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
-                      " s: start the process that runs it");
+        throw refused("cca::deployed: environment " + named(missing) + " has not begun to run within " +
+                      seconds(longest) + ": start the process that runs it");
       });
       if (agreed.is_stopped || agreed.is_off) return agreed;
       const std::int64_t before = away ? away->newest_run_before() : 0;
@@ -99,11 +98,24 @@ public:
     return agreed;
   }
 
-  // Everybody is prepared: from here on they look at each other's positions.
+  // Everybody is prepared for a run that begins with this beat: from here on they look at each other's
+  // positions. Waits at most so long for a process that stands still since it has called `run`. If that goes
+  // on later, its run ends before its first beat.
   template <class F>
-  void begin(idle_beats& idle, F meanwhile) {
+  void begin(std::int64_t beat, std::int64_t longest, idle_beats& idle, F meanwhile) {
     for_each_here([&](auto& own) { own.ready.store(run, std::memory_order_release); });
-    wait(&record::ready, idle, meanwhile, [&](std::size_t e, std::int64_t) { return is_with_us(e); });
+    wait(&record::ready, idle, meanwhile, [&](std::size_t missing, std::int64_t waited) {
+      if (waited < longest) return is_with_us(missing);
+      for_each_here([&](auto& own) {
+        own.beat = beat;
+        own.stop_at.store(beat, std::memory_order_release);
+        own.finished.store(run, std::memory_order_release);
+      });
+      withdraw();
+      throw refused("cca::deployed: environment " + named(missing) +
+                    " has called run, but has not begun it within " + seconds(longest) +
+                    ": its process stands still (SIGSTOP, a debugger): let it go on, or end it");
+    });
   }
 
   // Nobody looks any more. The beat with which they go on.
@@ -128,6 +140,9 @@ private:
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) f(shared.environments[e]);
   }
+
+  static std::string named(std::size_t e) { return "`" + std::string(environments_of<D>::all[e].name) + "`"; }
+  static std::string seconds(std::int64_t ns) { return std::to_string(ns / 1'000'000'000) + " s"; }
 
   void withdraw() {
     for_each_here([](auto& own) { own.arrived = 0; });
