@@ -306,8 +306,6 @@ TEST_SUITE("live access to a deployment") {
         "cca::deployed: `thinker` runs in environment `mind`, which another process runs";
     CHECK_EQ(refusal([&] { live.set("thinker.slope", 2.0); }), elsewhere);
     CHECK_EQ(refusal([&] { live.set<"thinker">({2.0, false, 2.0}); }), elsewhere);
-    CHECK_EQ(refusal([&] { live.stop("thinker"); }), elsewhere);
-    CHECK_EQ(refusal([&] { live.start("thinker"); }), elsewhere);
     CHECK_EQ(refusal([&] { (void)live.parameter("thinker.slope"); }), elsewhere);
     CHECK(refusal([&] { (void)live.newest("thinker.y"); }).find("ask the process that runs it") !=
           std::string::npos);

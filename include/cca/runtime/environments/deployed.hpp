@@ -167,7 +167,7 @@ public:
 
 private:
   void check_part(const char* call, int part) const {
-    placed::check_part_is_here(part);
+    if (is_at_rest()) placed::check_part_is_here(part);
     own_mode::check_part_of_mode(call, part);
   }
   bool is_here(int node) const { return placed::is_here(node) && own_mode::has_hooks(node); }
@@ -317,8 +317,8 @@ private:
   }
 
   using changes::next_beat_of, changes::first_here, changes::is_at_rest, changes::is_ordered,
-      changes::take_changes_at_rest, changes::next_of_first_here, changes::needs_order, changes::order,
-      changes::order_at_rest, changes::set_part_in, changes::is_computing;
+      changes::take_changes_at_rest, changes::next_of_first_here, changes::needs_order, changes::can_order,
+      changes::order, changes::order_at_rest, changes::set_part_in, changes::is_computing;
   using host::idle, host::move, host::now, host::reason;
   using placed::component, placed::component_of, placed::visit, placed::for_each_part_state,
       placed::for_each_state;

@@ -219,7 +219,7 @@ private:
     tell_reached();
     state.announce(position());
   }
-  std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
+  std::int64_t begun() const { return state.shared->environments[0].begun.load(std::memory_order_acquire); }
   bool goes_on() { return shared().fault_position() == no_position && shared().stop_at() == no_position; }
   CCA_INLINE void state_fault(loop_observers to, int rank, std::string_view reason, int node) noexcept {
     std::int64_t beat = k;

@@ -286,7 +286,7 @@ private:
       if (!are_here<X>(k - least_delay(X, E))) return false;
     if constexpr (least_delay(E, X) > 0 || X == 0)
       if (!(ahead > 0 && samples_show_progress<D, X, E>) && !has_done<X>(k - ahead)) return false;
-    if constexpr (has_orders<shared_by_all>)
+    if constexpr (obeys_orders<shared_by_all, E>)
       if (ahead == 0 && !has_done<X>(k)) return false;
     if constexpr (DeployedMode<D>) return !may_fault_in_some_mode<shared_by_all, X> || has_done<X>(k);
     else

@@ -64,6 +64,11 @@ protected:
     if constexpr (is_free_running<D, E>) return self.loops.template at<E>().index();
     else return self.next_beat_of(E);
   }
+  bool is_part_here(int number) const {
+    for (int node = 0; node < counts_of<D>.node_count; ++node)
+      if (is_in_part<D>(node, number) && !is_here(node)) return false;
+    return true;
+  }
   void check_part_is_here(int number) const {
     for (int node = 0; node < counts_of<D>.node_count; ++node)
       if (is_in_part<D>(node, number)) refuse_if_elsewhere(node);

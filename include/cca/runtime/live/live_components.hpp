@@ -49,9 +49,15 @@ struct live_components {
   }
   // Does what is asked need one? `part`: -1, a mode.
   template <class Controller>
-  static constexpr bool needs_order([[maybe_unused]] int part) {
-    if constexpr (requires { Controller::needs_order(part); }) return Controller::needs_order(part);
+  static bool needs_order([[maybe_unused]] const Controller& c, [[maybe_unused]] int part) {
+    if constexpr (requires { c.needs_order(part); }) return c.needs_order(part);
     else return false;
+  }
+  // Can one be given now?
+  template <class Controller>
+  static bool can_order([[maybe_unused]] const Controller& c, [[maybe_unused]] int part) {
+    if constexpr (requires { c.can_order(part); }) return c.can_order(part);
+    else return true;
   }
   // The beat in which it has effect; -1: it has had it.
   template <class Controller>

@@ -2,6 +2,7 @@
 // its beats.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <optional>
 #include <string>
@@ -81,8 +82,8 @@ public:
   }
 
   // Whether the last request has been taken, and what refused it then; empty: nothing. A component refuses
-  // parameters (`refusal_of`), and to be stopped or started where the active mode lacks it; a mode is refused
-  // after a fault.
+  // parameters (`refusal_of`), and to be stopped or started where the active mode lacks it, or where another
+  // process runs it and no run is on; a mode is refused after a fault.
   bool is_taken() const noexcept { return mailbox.is_empty(); }
   std::string refused_by() const {
     const int by = refusing.load(std::memory_order_acquire);
@@ -96,6 +97,9 @@ protected:
   explicit live_requests(const Controller& c) : known(c), ordering(live_components::ordering_loop(c)) {
     for (int node = 0; node < counts_of<Graph>.node_count; ++node)
       if (live_components::is_here(c, node)) with_components[array_size(loops::of_node(node))] = true;
+    for (int part = 0; part < parts_kept<Graph>; ++part)
+      by_order[array_size(part)] = live_components::needs_order(c, part);
+    switches_by_order = live_components::needs_order(c, -1);
   }
 
   // A loop's, between two of its beats.
@@ -127,14 +131,10 @@ private:
   }
   // Each loop that has a node of it does its share.
   bool change_part(asked about, int part) {
+    if (by_order[array_size(part)]) return request_order(about, [&] { asked_part = part; });
     typename mailbox_type::loops to{};
     for (int node = 0; node < counts_of<Graph>.node_count; ++node)
-      if (is_in_part<Graph>(node, part)) {
-        known.check_is_here(node);
-        to[array_size(loops::of_node(node))] = true;
-      }
-    if (live_components::needs_order<Controller>(part))
-      return request_order(about, [&] { asked_part = part; });
+      if (is_in_part<Graph>(node, part)) to[array_size(loops::of_node(node))] = true;
     return request(about, to, [&] { asked_part = part; });
   }
   // One loop gives the order, and waits until all have obeyed.
@@ -162,7 +162,9 @@ private:
   }
   int refusal_of_order(const Controller& c) const {
     if (what == asked::mode) return c.state() == state::faulted ? first_mode - asked_mode : nobody;
-    return live_components::has_part_now(c, asked_part) ? nobody : first_part - asked_part;
+    return live_components::has_part_now(c, asked_part) && live_components::can_order(c, asked_part)
+               ? nobody
+               : first_part - asked_part;
   }
 
   struct given_back {
@@ -196,8 +198,7 @@ private:
   bool switch_to_number(int number)
     requires Modes<Graph>
   {
-    if (live_components::needs_order<Controller>(-1))
-      return request_order(asked::mode, [&] { asked_mode = number; });
+    if (switches_by_order) return request_order(asked::mode, [&] { asked_mode = number; });
     return request(asked::mode, all_nodes, [&] { asked_mode = number; });
   }
 
@@ -237,8 +238,10 @@ private:
   int asked_part = 0, asked_mode = 0;
   bool is_order = false;  // what is asked for
   static constexpr std::int64_t none = -2;
-  std::int64_t effect_in = none;  // the beat in which the order has effect
-  int ordering;                   // the loop that gives orders
+  std::int64_t effect_in = none;                                   // the beat in which the order has effect
+  int ordering;                                                    // the loop that gives orders
+  std::array<bool, array_size(parts_kept<Graph> + 1)> by_order{};  // of each part: whether it needs one
+  bool switches_by_order = false;
   std::atomic<int> refusing{nobody};
 };
 

@@ -41,7 +41,9 @@ template <class Loop, class D, int E>
 class cycles_of<Loop, D, E, true> {
 public:
   std::int64_t index() const { return loop().state.index; }
-  std::int64_t next_beat() { return is_on_a_clock() ? std::max(loop().k, loop().begun() + 1) : loop().k; }
+  std::int64_t next_beat() const {
+    return is_on_a_clock() ? std::max(loop().k, loop().begun() + 1) : loop().k;
+  }
 
 protected:
   // A cycle begins in the newest beat.

@@ -5,7 +5,8 @@
 //              they travel like a sample that is delayed by one beat: a fast run waits for them, and in a
 //              wall-clock run they may come late.
 //   orders     from outside (cca::live_access, switch_to): for a beat that is far enough ahead, so that all
-//              environments have them in time. Only for what more than one environment has.
+//              environments have them in time. Only for what more than one environment has, or what another
+//              process runs.
 //
 // In beats that end by a fault nothing is asked. Errors: none. Cost: only environments that ask, or are
 // asked, know of it.
@@ -35,15 +36,16 @@ using request_ring = sample_ring<size_of_request<D>, ring_capacity<D, counts_of<
 template <class D, int From>
 using order_ring = ring_of_output<D, orders_of<D, From>>;
 
-template <class D>
-struct gives_orders {
-  static constexpr bool holds(std::size_t) { return has_orders<D>; }
+// All give orders to those that obey.
+template <class D, int E>
+struct gives_orders_to {
+  static constexpr bool holds(std::size_t) { return obeys_orders<D, E>; }
 };
 
 template <class D,
           int E,
           class From = chosen<environment_count<D>, asks_here<D, E>>,
-          class Ordering = chosen<environment_count<D>, gives_orders<D>>>
+          class Ordering = chosen<environment_count<D>, gives_orders_to<D, E>>>
 class agreed_changes;
 template <class D, int E>
 class agreed_changes<D, E, std::integer_sequence<int>, std::integer_sequence<int>> {
@@ -150,9 +152,11 @@ private:
     typename order_ring<D, X>::sample one;
     for (std::uint64_t number = obeyed[X]; orders<X>(shared).take(number, beat, one);) {
       obeyed[X] = number;
-      if (is_late) loop.count_late_order(X);
       const auto what = static_cast<ordered>(static_cast<int>(one.vector[0]));
-      if (what != ordered::mode || may_switch) loop.make_ordered(what, static_cast<int>(one.vector[1]), next);
+      const int which = static_cast<int>(one.vector[1]);
+      if (what == ordered::mode ? !may_switch : !has_part<D, E>(which)) continue;
+      if (is_late) loop.count_late_order(X);
+      loop.make_ordered(what, which, next);
     }
   }
 

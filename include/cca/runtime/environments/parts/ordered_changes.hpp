@@ -27,7 +27,7 @@ protected:
   std::int64_t next_of_first_here() const {
     std::int64_t next = 0;
     self().loops.for_each([&]<int E>(const auto& loop) {
-      if (E == first_here()) next = loop.k;
+      if (E == first_here()) next = loop.next_beat();
     });
     return next;
   }
@@ -37,8 +37,14 @@ protected:
     const std::int64_t own = self().looked_at[array_size(environment)];
     return own > 0 ? own : self().beat_index();
   }
-  // A part, or, below 0, the mode.
-  static constexpr bool needs_order(int part) { return part < 0 || is_spread_part<D>(part); }
+  // What another thread asks for: a part, or, below 0, the mode. A part that one environment of this process
+  // has is stopped in the thread of that one; but where components may ask for it in the same beat, an order
+  // comes after them.
+  bool needs_order(int part) const {
+    return part < 0 || is_spread_part<D>(part) || !self().is_part_here(part) || is_asked_for<D>(part);
+  }
+  // Between two runs a part is stopped only where this process runs all of it.
+  bool can_order(int part) const { return is_computing || self().is_part_here(part); }
   // From the thread of the first environment here. The beat in which it has effect.
   std::int64_t order([[maybe_unused]] ordered what, [[maybe_unused]] int number) {
     std::int64_t in = 0;
@@ -57,9 +63,9 @@ protected:
       if (self().here[E]) loop.set_part(part, stops, Self::template next_of<E>(self()), next_beat_of(E));
     });
   }
-  // While others compute, a part that more than one environment has is stopped by an order.
+  // While others compute.
   bool is_ordered(int part, bool stops) {
-    if (is_at_rest() || !is_spread_part<D>(part)) return false;
+    if (is_at_rest() || is_part_of<D>(part, first_here())) return false;
     order(stops ? ordered::stop : ordered::start, part);
     return true;
   }

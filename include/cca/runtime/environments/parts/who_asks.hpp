@@ -15,6 +15,13 @@ constexpr bool has_part(int number) {
     if (plan_of<D>.nodes[array_size(n)].environment == E && is_in_part<D>(n, number)) return true;
   return false;
 }
+// All nodes of a part are in this environment.
+template <class D>
+constexpr bool is_part_of(int number, int environment) {
+  for (int n = 0; n < counts_of<D>.node_count; ++n)
+    if (is_in_part<D>(n, number) && plan_of<D>.nodes[array_size(n)].environment != environment) return false;
+  return true;
+}
 template <class D>
 constexpr bool asks_for_part(int environment, int number) {
   for (int r = 0; r < counts_of<D>.request_count; ++r) {
@@ -33,6 +40,13 @@ constexpr bool asks_for_part(int environment, int number) {
         asks |= asks_for_part<Mode>(environment, p);
   });
   return asks;
+}
+// Any component.
+template <class D>
+constexpr bool is_asked_for(int part) {
+  for (int e = 0; e < environment_count<D>; ++e)
+    if (asks_for_part<D>(e, part)) return true;
+  return false;
 }
 // Whether a component of it, in any mode, may ask for a mode.
 template <class D>
@@ -66,8 +80,8 @@ constexpr bool is_asked_by(int from) {
   return asks_for_modes<D>(from);
 }
 
-// What may be asked for from outside, and has effect in several environments, in one beat: a mode, and a
-// part that has nodes in more than one.
+// A part that has nodes in several environments. From outside it is asked for by an order, which has effect
+// in all of them in one beat. So are modes, and a part that another process runs or components ask for.
 template <class D>
 constexpr bool is_spread_part(int number) {
   int first = -1;
@@ -80,9 +94,13 @@ constexpr bool is_spread_part(int number) {
   return false;
 }
 template <class D>
-inline constexpr bool has_orders = [] {
+inline constexpr bool has_orders =
+    DeploymentOfModes<D> || (counts_of<D>.part_count > 0 && environment_count<D> > 1);
+// The environments that obey them.
+template <class D, int E>
+inline constexpr bool obeys_orders = [] {
   for (int p = 0; p < counts_of<D>.part_count; ++p)
-    if (is_spread_part<D>(p)) return true;
+    if (has_orders<D> && has_part<D, E>(p)) return true;
   return DeploymentOfModes<D>;
 }();
 
