@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cca/graph/deployment.hpp>
+#include <cca/graph/describe_modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/environments/deployed.hpp>
 #include <cca/runtime/transports/shared_memory.hpp>

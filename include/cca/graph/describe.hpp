@@ -3,7 +3,8 @@
 //   std::cout << cca::describe<trot<cca::sim::oncilla>>::mermaid();
 //
 // The environments of a deployment are boxes. A wire from one to another shows its transport and delay. The
-// transport is chosen when the program starts, so it is an argument: mermaid("DDS").
+// transport is chosen when the program starts, so it is an argument: mermaid("DDS"). The picture of a set of
+// modes has a box for each mode (graph/describe_modes.hpp).
 //
 // Works for graphs that break a rule as far as their parts are known, so that one can look at them too.
 #pragma once
@@ -12,6 +13,8 @@
 #include <cca/component/port.hpp>
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <cca/graph/plan/paths.hpp>
 #include <cca/graph/layout/types.hpp>
@@ -23,59 +26,69 @@ namespace detail {
 template <class String>
 class picture_writer {
 public:
-  picture_writer(const flat_view& graph, std::string_view between_environments)
-      : g(graph), transport(between_environments) {}
+  // `of_mode`: begins each name, where several graphs are in one picture, each in a box.
+  picture_writer(const flat_view& graph, std::string_view between_environments, String of_mode = {})
+      : g(graph), transport(between_environments), prefix(std::move(of_mode)) {}
 
+  static String mermaid_head() { return "flowchart LR\n"; }
   String mermaid() {
-    text = "flowchart LR\n";
     add_boxes(false);
     for (int i = 0; i < g.first_link; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
-        text += "  " + id(node_of_output(in.writer)) + (in.delay > 0 ? " -. \"" : " -- \"") +
+        text += indent_at(1) + id(node_of_output(in.writer)) + (in.delay > 0 ? " -. \"" : " -- \"") +
                 label(in, "<br/>") + (in.delay > 0 ? "\" .-> " : "\" --> ") + id(g.calls[in.call].node) +
                 "\n";
     return text;
   }
 
-  String dot() {
-    text = "digraph \"" + quoted(title()) +
+  static String dot_head(std::string_view title) {
+    return "digraph \"" + quoted(title) +
            "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
            "  edge [fontname=\"sans-serif\", fontsize=10];\n";
+  }
+  String dot() {
     add_boxes(true);
     for (int i = 0; i < g.first_link; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
-        text += "  " + id(node_of_output(in.writer)) + " -> " + id(g.calls[in.call].node) + " [label=\"" +
-                label(in, "\\n") + "\"" + (in.delay > 0 ? ", style=dashed" : "") + "];\n";
-    text += "}\n";
+        text += indent_at(1) + id(node_of_output(in.writer)) + " -> " + id(g.calls[in.call].node) +
+                " [label=\"" + label(in, "\\n") + "\"" + (in.delay > 0 ? ", style=dashed" : "") + "];\n";
     return text;
   }
 
-private:
-  static String id(int node_index) { return String("n") + std::to_string(node_index); }
-  int node_of_output(int o) const { return g.calls[g.outputs[o].call].node; }
-
-  std::string_view title() const {
-    const graph_info& graph = *g.scopes[0].graph;
-    return graph.deployment ? graph.deployment->name : graph.name;
+  // A box; what is in it comes before box_end().
+  static String box(bool as_dot, const String& name, std::string_view title, int depth = 1) {
+    const String indent(static_cast<std::size_t>(2 * depth), ' ');
+    return as_dot ? indent + "subgraph cluster_" + name + " {\n" + indent + "  label=\"" + quoted(title) +
+                        "\";\n" + indent + "  style=bold;\n"
+                  : indent + "subgraph " + name + "[\"<b>" + escaped(title) + "</b>\"]\n";
   }
+  static String box_end(bool as_dot, int depth = 1) {
+    return String(static_cast<std::size_t>(2 * depth), ' ') + (as_dot ? "}\n" : "end\n");
+  }
+
+private:
+  String id(int node_index) const { return prefix + "n" + std::to_string(node_index); }
+  String indent_at(int depth) const {
+    return String(static_cast<std::size_t>(2 * (depth + is_in_box())), ' ');
+  }
+  int is_in_box() const { return prefix.empty() ? 0 : 1; }
+  int node_of_output(int o) const { return g.calls[g.outputs[o].call].node; }
 
   // Environments are boxes, and nodes without one stand outside of them.
   void add_boxes(bool as_dot) {
     add_scope(0, 1, -1, as_dot);
     for (int e = 0; e < g.environment_count; ++e) {
-      const String name(g.environments[e].name), number = std::to_string(e);
-      text += as_dot ? "  subgraph cluster_e" + number + " {\n    label=\"" + quoted(name) +
-                           "\";\n    style=bold;\n"
-                     : "  subgraph e" + number + "[\"<b>" + escaped(name) + "</b>\"]\n";
+      if (is_in_box() && !has_nodes(e)) continue;
+      text += box(as_dot, prefix + "e" + std::to_string(e), g.environments[e].name, 1 + is_in_box());
       add_scope(0, 2, e, as_dot);
-      text += as_dot ? "  }\n" : "  end\n";
+      text += box_end(as_dot, 1 + is_in_box());
     }
   }
 
   // What runs in one environment. Inner graphs are boxes around their nodes, but for those whose nodes run in
   // several environments.
   void add_scope(int s, int depth, int environment, bool as_dot) {
-    const String indent(static_cast<std::size_t>(2 * depth), ' ');
+    const String indent = indent_at(depth);
     for (int l = 0; l < g.node_count; ++l)
       if (g.nodes[l].scope == s && g.nodes[l].environment == environment)
         text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
@@ -87,14 +100,19 @@ private:
       }
       if (environment_of(inner) != environment) continue;
       const String name = name_in(s, *g.scopes[inner].item);
-      text += as_dot ? indent + "subgraph cluster_" + std::to_string(inner) + " {\n" + indent + "  label=\"" +
-                           name + "\";\n"
-                     : indent + "subgraph g" + std::to_string(inner) + "[\"" + name + "\"]\n";
+      text += as_dot ? indent + "subgraph cluster_" + prefix + std::to_string(inner) + " {\n" + indent +
+                           "  label=\"" + name + "\";\n"
+                     : indent + "subgraph " + prefix + "g" + std::to_string(inner) + "[\"" + name + "\"]\n";
       add_scope(inner, depth + 1, environment, as_dot);
       text += indent + (as_dot ? "}\n" : "end\n");
     }
   }
 
+  bool has_nodes(int environment) const {
+    for (int l = 0; l < g.node_count; ++l)
+      if (g.nodes[l].environment == environment) return true;
+    return false;
+  }
   bool is_inside(int node, int s) const {
     for (int at = g.nodes[node].scope; at >= s; at = g.scopes[at].parent)
       if (at == s) return true;
@@ -202,8 +220,12 @@ private:
 
   const flat_view& g;
   std::string_view transport;
-  String text;
+  String prefix, text;
 };
+
+constexpr std::string_view title_of_picture(const graph_info& graph) {
+  return graph.deployment ? graph.deployment->name : graph.name;
+}
 
 }  // namespace detail
 
@@ -211,11 +233,14 @@ template <class Graph>
 struct describe {
   static std::string mermaid(std::string_view transport = "memory") {
     auto plan = detail::plan_of<Graph>;
-    return detail::picture_writer<std::string>(plan.view(), transport).mermaid();
+    using writer = detail::picture_writer<std::string>;
+    return writer::mermaid_head() + writer(plan.view(), transport).mermaid();
   }
   static std::string dot(std::string_view transport = "memory") {
     auto plan = detail::plan_of<Graph>;
-    return detail::picture_writer<std::string>(plan.view(), transport).dot();
+    using writer = detail::picture_writer<std::string>;
+    return writer::dot_head(detail::title_of_picture(*plan.view().scopes[0].graph)) +
+           writer(plan.view(), transport).dot() + "}\n";
   }
 };
 
