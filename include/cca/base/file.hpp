@@ -52,6 +52,15 @@ inline std::string read_file(const std::string& file, std::size_t most = std::si
   return text;
 }
 
+// WebAssembly runs one process.
+inline int process_number() {
+#ifdef __wasi__
+  return 0;
+#else
+  return ::getpid();
+#endif
+}
+
 // An empty file beside `target` that nobody else has: "trot.toml.1234.0.new".
 struct fresh_file {
   std::string path;
@@ -60,7 +69,7 @@ struct fresh_file {
   explicit fresh_file(const std::string& target) {
     static std::atomic<unsigned> number{0};
     do {
-      path = target + '.' + std::to_string(::getpid()) + '.' + std::to_string(number++) + ".new";
+      path = target + '.' + std::to_string(process_number()) + '.' + std::to_string(number++) + ".new";
       out.reset(std::fopen(path.c_str(), "wbxe"));
     } while (!out && errno == EEXIST);
   }

@@ -56,10 +56,11 @@ struct graph_sizes {
   int nodes = 0, scopes = 0, calls = 0, inputs = 0, outputs = 0, exposes = 0, observers = 0, merged = 0;
   int watches = 0;                   // an `observe` of the graph itself, with a policy
   int parts = 0, part_requests = 0;  // that may be stopped; results that stop or start one
+  int twins = 0;                     // each `expose` under a name that the same graph has exposed before
 
-  // Ways into the inputs: each wire that is merged with another one is a further one. It may lead to an input
-  // of each inner graph that exposes one under the same name.
-  constexpr int ways() const { return inputs + merged * (exposes > 1 ? exposes : 1); }
+  // Ways into the inputs: each wire that is merged with another one is a further one. It leads to as many
+  // inputs as are exposed under one name.
+  constexpr int ways() const { return inputs + merged * (1 + twins); }
 };
 
 struct graph_info {
@@ -212,7 +213,7 @@ inline constexpr item_info item_of<wire<From, To, Options...>> =
 
 template <fixed_string Inner, fixed_string Outer>
 inline constexpr item_info item_of<expose<Inner, Outer>>{
-    .kind = item_kind::expose, .from = Inner.view(), .to = Outer.view()};
+    .kind = item_kind::expose, .from = Inner.view(), .to = Outer.view(), .from_hash = hash(Inner.view())};
 
 template <auto Hz>
 inline constexpr item_info item_of<rate<Hz>>{.kind = item_kind::rate, .hz = rate<Hz>::hz};
@@ -223,6 +224,12 @@ inline constexpr item_info item_of<require<latency<From, To>, beats<Count>>>{
 
 template <fixed_string Scope, class... Policies>
 inline constexpr item_info item_of<observe<Scope, Policies...>> = policy_item<Policies...>(Scope.view());
+
+constexpr bool is_twin(const item_info* items, int exposed) {
+  for (int i = 0; i < exposed; ++i)
+    if (items[i].kind == item_kind::expose && items[i].to == items[exposed].to) return true;
+  return false;
+}
 
 constexpr graph_sizes sizes_of(const item_info* items, int count) {
   graph_sizes sizes;
@@ -238,6 +245,7 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       sizes.inputs += inner.inputs;
       sizes.outputs += inner.outputs;
       sizes.exposes += inner.exposes;
+      sizes.twins += inner.twins;
       sizes.observers += inner.observers;
       sizes.watches += inner.watches;
       sizes.parts += inner.parts;
@@ -255,6 +263,7 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       }
     } else if (item.kind == item_kind::expose) {
       ++sizes.exposes;
+      sizes.twins += is_twin(items, i);
     } else if (item.kind == item_kind::observe) {
       sizes.watches += item.has_policy();
     } else if (item.policy == policy_kind::merged) {

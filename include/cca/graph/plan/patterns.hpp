@@ -61,7 +61,8 @@ struct one_pattern {
     for (bool is_last = false; !is_last;) {
       const auto dot = text.rfind('.');
       is_last = dot == text.npos;
-      path.put_before(is_last ? text : text.substr(dot + 1));
+      const auto word = is_last ? text : text.substr(dot + 1);
+      if (path.count() == 0 || !is_any_names(word) || !is_any_names(*path.begin())) path.put_before(word);
       text = text.substr(0, is_last ? 0 : dot);
     }
   }
@@ -99,18 +100,17 @@ struct pattern {
 struct port_name {
   int scope = 0;
   std::string_view node{}, port{};
+  std::uint64_t node_hash = 0;
   ref<item_info> as = nullptr;  // the cca::expose that gives it; null: the port's own
+
+  // Of its path in the graph in which it stands.
+  constexpr std::uint64_t path_hash() const { return hash(port, after_dot(node_hash)); }
 };
 
 template <class Port>
 constexpr port_name own_name(const flat_view& g, const Port& p) {
   const auto& node = g.nodes[g.calls[p.call].node];
-  return {node.scope, node.item->from, port_of(g, p).name};
-}
-
-constexpr bool is_path_of(std::string_view path, std::string_view node, std::string_view port) {
-  return path.size() == node.size() + 1 + port.size() && path[node.size()] == '.' && path.starts_with(node) &&
-         path.ends_with(port);
+  return {node.scope, node.item->from, port_of(g, p).name, node.item->from_hash};
 }
 
 // Calls f(name) for each name of a port, its own first, until f returns true.
@@ -119,10 +119,12 @@ constexpr bool any_name(const flat_view& g, const port_name& name, F f) {
   if (f(name)) return true;
   const auto& inside = g.scopes[name.scope];
   if (inside.parent < 0) return false;  // what the outermost graph exposes has no name in another one
+  const auto path = name.path_hash();
   for (int i = 0; i < inside.graph->count; ++i) {
     const auto& item = inside.graph->items[i];
-    if (item.kind != item_kind::expose || !is_path_of(item.from, name.node, name.port)) continue;
-    if (any_name(g, {inside.parent, inside.item->from, item.to, &item}, f)) return true;
+    if (item.kind != item_kind::expose || item.from_hash != path) continue;
+    if (any_name(g, {inside.parent, inside.item->from, item.to, inside.item->from_hash, &item}, f))
+      return true;
   }
   return false;
 }

@@ -163,9 +163,6 @@ struct mode_of_key<part<deployed_mode<D, I>, E>> {
 };
 
 template <class D, int I, int E>
-inline constexpr int calls_in_part<part<deployed_mode<D, I>, E>> = calls_in_part<deployed_mode<D, I>>;
-
-template <class D, int I, int E>
 inline constexpr flat_of<part<deployed_mode<D, I>, E>> plan_of<part<deployed_mode<D, I>, E>> =
     then<part<deployed_mode<D, I>, E>>(plan_of<own_part<deployed_mode<D, I>, E>>, [](flat_view g) {
       return store_for_all(g, shared_plan_of<modes_in<D, E>>.view_of(

@@ -107,6 +107,9 @@ constexpr flat_view take_part(flat_view g, int environment) {
 }
 
 template <class D, int E>
+inline constexpr int calls_in_part<part<D, E>> = calls_in_part<D>;
+
+template <class D, int E>
 inline constexpr flat_of<D> plan_of<part<D, E>> = then<D>(plan_of<D>, [](flat_view g) {
   g.calls_in_part = calls_in_part<D>;
   return choose_storage(find_clocks(take_part(g, E)));

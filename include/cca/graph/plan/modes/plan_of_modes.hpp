@@ -100,7 +100,7 @@ struct modes_of<M, list<Items...>, std::integer_sequence<int, Number...>> {
         sum.nodes += one.nodes, sum.scopes += one.scopes, sum.calls += one.calls;
         sum.inputs += one.inputs, sum.outputs += one.outputs;
         sum.parts += one.parts, sum.part_requests += one.part_requests;
-        sum.merged += one.merged, sum.exposes += one.exposes;
+        sum.merged += one.merged, sum.exposes += one.exposes, sum.twins += one.twins;
       }
     };
     (add(box<typename graph_of_mode<M, Number, Items>::type>{}), ...);
