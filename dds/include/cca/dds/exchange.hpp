@@ -181,8 +181,9 @@ private:
     }
     to[status::beat] = from.beat;
     to[status::length] = from.length;
+    to[status::stopped] = from.stopped;
     to[status::flags] = (from.is_exact ? status::is_exact : 0) | (from.all_meet ? status::all_meet : 0) |
-                        (from.is_stopped ? status::is_stopped : 0) | (from.is_paused ? status::is_paused : 0);
+                        (from.is_paused ? status::is_paused : 0);
     if constexpr (DeploymentOfModes<D>) {
       to[status::mode] = own.modes[e].mode;
       to[status::switches] = own.modes[e].switches;
@@ -216,7 +217,7 @@ private:
       own.modes[e].mode = from[status::mode];
       own.modes[e].switches = from[status::switches];
     }
-    to.is_stopped.store((from[status::flags] & status::is_stopped) != 0, std::memory_order_release);
+    to.stopped.store(from[status::stopped], std::memory_order_release);
     to.stop_at.store(from[status::stop_at], std::memory_order_release);
     to.interval = from[status::interval];
     if (const std::int64_t beat = from[status::begun]; to.begun != beat)

@@ -66,6 +66,7 @@ struct status {
     arrived,
     ready,
     finished,
+    stopped,
     beat,
     length,
     mode,
@@ -74,7 +75,7 @@ struct status {
     lost_periods,
     field_count
   };
-  static constexpr std::int64_t is_exact = 1, all_meet = 2, is_stopped = 4, is_leaving = 8, is_paused = 16;
+  static constexpr std::int64_t is_exact = 1, all_meet = 2, is_leaving = 4, is_paused = 8;
   using reason_words = std::array<std::uint64_t, cca::detail::fault_record::most_letters / 8>;
 
   std::array<std::int64_t, field_count> fields{};
@@ -116,7 +117,7 @@ struct status {
     const auto& s = *this;
     const std::int64_t last = newest < 0 ? of.last_beat() : std::min(of.last_beat(), newest + of.window());
     const std::int64_t end = last * of.calls_and_one, most_runs = std::int64_t{1} << 40;
-    if (!is_in(s[flags], 0, 31)) return "flags that do not exist";
+    if (!is_in(s[flags], 0, 15)) return "flags that do not exist";
     if (!is_in(s[mode], 0, of.modes - 1)) return "a mode that does not exist";
     if (!is_in(s[position], -1, end) || !is_in(s[begun], -1, last) || !is_in(s[beat], 0, last))
       return "a beat that can't be";
@@ -129,7 +130,7 @@ struct status {
     if (!is_in(s[arrived], 0, most_runs) || !is_in(s[ready], 0, most_runs) ||
         !is_in(s[finished], 0, most_runs))
       return "a run that can't be";
-    if (s[length] < 0 || s[switches] < 0 || s[overruns] < 0 || s[lost_periods] < 0 ||
+    if (s[length] < 0 || s[stopped] < 0 || s[switches] < 0 || s[overruns] < 0 || s[lost_periods] < 0 ||
         std::ranges::any_of(
             late, [](std::int64_t n) { return n < 0; }) ||
         std::ranges::any_of(published, [](std::int64_t n) { return n < 0; }))

@@ -137,12 +137,12 @@ public:
   void start() {
     const typename own_mode::hooks_of_active_mode now_on(*this);
     host::start();
-    tell_stopped(false);
+    tell_stopped(0);
   }
   void stop() {
     const typename own_mode::hooks_of_active_mode now_on(*this);
     host::stop();
-    tell_stopped(true);
+    tell_stopped(++stops);
   }
 
   // The next beat. While it runs: in `between`.
@@ -182,9 +182,9 @@ private:
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].forget_figures();
   }
-  void tell_stopped(bool is_stopped) {
+  void tell_stopped(std::int64_t number) {
     for (std::size_t e = 0; e < here.size(); ++e)
-      if (here[e]) shared->environments[e].is_stopped.store(is_stopped, std::memory_order_release);
+      if (here[e]) shared->environments[e].stopped.store(number, std::memory_order_release);
   }
 
   // False: another process has stopped, and there is no run.
@@ -205,11 +205,13 @@ private:
     auto idle_beats = detail::idle_beats_at(pace, period());
     const auto meanwhile = [this] { idle(); };
     detail::terms_of_run wanted{k, 0, wants_exact, wants_to_meet};
+    wanted.stops = stops;
     own_mode::tell_mode(wanted);
     const auto terms = together.agree(wanted, beats, longest_wait, idle_beats, meanwhile,
                                       [&] { return !detail::wants_end(between); });
     if (terms.is_stopped) return false;
     if (terms.is_off) return true;
+    stops = 0;
     if (terms.is_exact && !wants_exact) idle_beats = detail::idle_beats_at(as_fast_as_possible(), period());
     if (!terms.is_exact && wants_exact) idle_beats = detail::idle_beats_at(at_wall_clock(), period());
     std::int64_t last_seen = k = terms.beat;
@@ -331,6 +333,7 @@ private:
   std::shared_ptr<const detail::peers> others;  // null: all are here
   std::shared_ptr<detail::exchange<D>> shared;
   std::int64_t k = 0;
+  std::int64_t stops = 0;  // since the last run
   std::array<std::int64_t, detail::array_size(detail::environment_count<D>)> looked_at{};  // 0: not now
   detail::run_record runs{};
   detail::real_time_refusals<D> refusals{};

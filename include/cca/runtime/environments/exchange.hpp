@@ -147,8 +147,9 @@ struct alignas(64) environment_record {
   // How a run begins and ends together (meeting.hpp): numbers of runs, and what it wants of the run.
   std::atomic<std::int64_t> arrived{0}, ready{0}, finished{0};
   std::atomic<std::int64_t> beat{0}, length{0};
-  std::atomic<bool> is_exact{true}, all_meet{false}, is_stopped{false};
-  std::atomic<bool> is_paused{false};  // of the first: it begins no beat for now
+  std::atomic<bool> is_exact{true}, all_meet{false};
+  std::atomic<std::int64_t> stopped{0};  // by stop(), which was the n-th since its last run; 0: it is not
+  std::atomic<bool> is_paused{false};    // of the first: it begins no beat for now
 
   // In a wall-clock run, since start().
   std::atomic<std::int64_t> overruns{0}, lost_periods{0};

@@ -19,6 +19,7 @@ struct terms_of_run {
   bool is_exact = true;       // the first environment's
   bool all_meet = false;      // after each beat, because somebody wants to
   bool is_stopped = false;    // there is no run: another process has called stop()
+  std::int64_t stops = 0;     // how often this process has called it since the last run
   bool is_off = false;        // there is no run: this process does not want it any more
   int mode = 0;               // of a set of modes: with which it begins
   std::int64_t switches = 0;  // and how many there have been
@@ -61,7 +62,9 @@ public:
         if (agreed.is_stopped || agreed.is_off) return false;
         check();
         agreed.is_off = !goes_on();
-        agreed.is_stopped = shared.environments[missing].is_stopped.load(std::memory_order_acquire);
+        // Its start() may not have come yet: a stop() that this process has called, too, is over.
+        agreed.is_stopped =
+            shared.environments[missing].stopped.load(std::memory_order_acquire) > wanted.stops;
         if (!agreed.is_stopped && !agreed.is_off && waited < longest) return true;
         withdraw();
         if (agreed.is_stopped || agreed.is_off) return false;

@@ -197,7 +197,7 @@ private:
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) {
         all[e].arrived = all[e].ready = all[e].finished = newest;
-        all[e].is_stopped = false;
+        all[e].stopped = 0;
       }
   }
 
