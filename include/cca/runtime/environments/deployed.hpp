@@ -142,7 +142,7 @@ public:
   void stop() {
     const typename own_mode::hooks_of_active_mode now_on(*this);
     host::stop();
-    tell_stopped(++stops);
+    tell_stopped(++stops_called);
   }
 
   // The next beat. While it runs: in `between`.
@@ -205,13 +205,13 @@ private:
     auto idle_beats = detail::idle_beats_at(pace, period());
     const auto meanwhile = [this] { idle(); };
     detail::terms_of_run wanted{k, 0, wants_exact, wants_to_meet};
-    wanted.stops = stops;
+    wanted.stops = stops_called;
     own_mode::tell_mode(wanted);
     const auto terms = together.agree(wanted, beats, longest_wait, idle_beats, meanwhile,
                                       [&] { return !detail::wants_end(between); });
     if (terms.is_stopped) return false;
     if (terms.is_off) return true;
-    stops = 0;
+    stops_called = 0;
     if (terms.is_exact && !wants_exact) idle_beats = detail::idle_beats_at(as_fast_as_possible(), period());
     if (!terms.is_exact && wants_exact) idle_beats = detail::idle_beats_at(at_wall_clock(), period());
     std::int64_t last_seen = k = terms.beat;
@@ -333,7 +333,7 @@ private:
   std::shared_ptr<const detail::peers> others;  // null: all are here
   std::shared_ptr<detail::exchange<D>> shared;
   std::int64_t k = 0;
-  std::int64_t stops = 0;  // since the last run
+  std::int64_t stops_called = 0;  // since the last run
   std::array<std::int64_t, detail::array_size(detail::environment_count<D>)> looked_at{};  // 0: not now
   detail::run_record runs{};
   detail::real_time_refusals<D> refusals{};
