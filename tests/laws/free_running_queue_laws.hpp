@@ -28,12 +28,16 @@ std::string told_by(const Played& c, const char* environment) {
     tell(c.template get<"inside">());
     text << c.template get<"eyes">().cycles;
   }
-  if (here == "counts") tell(c.template get<"counts">());
+  if (here == "counts") {
+    tell(c.template get<"counts">());
+    text << c.template get<"hears_freely">().hash;
+  }
   if (here == "mind") {
     tell(c.template get<"mind">());
     tell(c.template get<"newest">());
     tell(c.template get<"late">());
     tell(c.template get<"rare">());
+    text << c.template get<"hears">().hash;
   }
   return text.str() + '\n';
 }

@@ -6,7 +6,7 @@ wires between them are delayed.
 """
 import random
 
-from scopes import Scopes, may_hear
+from scopes import Scopes, is_queued, may_hear
 from skeletons import AXES, Group, Skeletons
 
 DIMENSIONS = {"num1": 1, "num2": 2, "num3": 3, "ang1": 1, "ang2": 2, "pick1": 1}
@@ -700,8 +700,10 @@ class Architecture:
             return
 
     def pattern(self, scopes, place):
-        """A path of some output, seen from a graph around, with some of its names left open."""
-        path = self.rng.choice(scopes.outputs)[0]
+        """A path of some output, or of an input with a queue, seen from a graph around, with some of its names left open."""
+        queued = [path for path, wires in scopes.inputs.items() if is_queued(wires[0])]
+        of_input = bool(queued) and self.chance(30)
+        path = self.rng.choice(queued) if of_input else self.rng.choice(scopes.outputs)[0]
         around = [n for n in range(len(place) + 1) if place[:n] == path[:n] and n < len(path) - 1]
         names = list(path[self.rng.choice(around):])
         absolute = len(names) == len(path) and self.chance(40)
@@ -714,6 +716,8 @@ class Architecture:
             names[first:last] = ["**"]
         if self.chance(25):
             names[self.rng.randrange(1, len(names) + 1):] = ["**"]
+        elif of_input:  # only a `**` at the end names inputs
+            names[-1] = "**"
         return ("/" if absolute else "") + ".".join(names)
 
     def count_observer(self, observer, found, places):

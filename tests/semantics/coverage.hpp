@@ -146,6 +146,8 @@ public:
                                            "observers",
                                            "observers that hear inputs",
                                            "observers with a queue",
+                                           "heard where it waits in a queue",
+                                           "heard after it was taken from a queue",
                                            "patterns from the outermost graph",
                                            "patterns found in a graph around",
                                            "patterns with **",
@@ -177,6 +179,7 @@ public:
       "wires between environments",
       "wires between environments, longer than a beat",
       "observers across environments",
+      "heard after it was taken from a queue",
       "free-running environments",
       "wires without delay to or from a free-running environment",
       "queue wires without delay to or from a free-running environment",
@@ -210,6 +213,8 @@ private:
     counts["initial"] += std::any_of(in.initial.begin(), in.initial.end(), [](double x) { return x != 0; });
     counts["samples kept for a later beat"] += in.reads > in.fresh_reads;
     const bool is_delayed = in.ways[0].delay > 0;
+    if (in.shown_call >= 0) ++counts["heard where it waits in a queue"];
+    if (in.ways[0].is_taken) ++counts["heard after it was taken from a queue"];
     if (in.is == policy::latest)
       ++counts[is_delayed ? in.ways[0].delay == 1 ? "delayed<1>" : "delayed<N>" : "latest"];
     counts["delayed, its own writer"] += is_delayed && i.g.calls[in.ways[0].writer].node == t.node;

@@ -172,7 +172,9 @@ public:
       for (std::size_t i = 0; i < g.calls[t].inputs.size(); ++i) {
         input in = g.calls[t].inputs[i];
         if (!in.wired() || in.is_heard) continue;
-        if (in.is == policy::queue) in.shown_call = static_cast<int>(t), in.shown_input = static_cast<int>(i);
+        const auto call = static_cast<int>(t), number = static_cast<int>(i);
+        if (in.is == policy::queue && o.delay == 0) in.shown_call = call, in.shown_input = number;
+        if (in.is == policy::queue && o.delay > 0) in.ways = {{call, number, 0, true}};
         in.is = policy::latest;
         in.name = heard_as(pattern, graph, node + in.name);
         for (way& w : in.ways) w.delay += o.delay;
@@ -300,7 +302,8 @@ public:
   // ---- what an input sees ----
 
   const std::vector<publication>& history(const way& w) const {
-    return g.calls[w.writer].outputs[w.port].history;
+    const call& writer = g.calls[w.writer];
+    return w.is_taken ? writer.inputs[w.port].all_taken : writer.outputs[w.port].history;
   }
 
   // A sample published in beat j arrives in beat j, or, delayed<N>, when beat j + N begins.
@@ -334,6 +337,8 @@ public:
     in.ways_taken |= 1 << in.waiting.front().way;
     in.taken = in.waiting.front();
     in.waiting.pop_front();
+    in.all_taken.push_back(*in.taken);
+    in.all_taken.back().beat = k;
   }
 
   virtual seen_input look(const call& t, const input& in) const {

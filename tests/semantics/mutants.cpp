@@ -81,6 +81,29 @@ struct no_inputs_are_named : base {
   bool names_inputs(const words&) const override { return false; }
 };
 
+// What was taken counts as taken again in each firing that finds the queue empty.
+struct taken_is_heard_again : base {
+  using base::base;
+  void take(input& in) const override {
+    const bool is_empty = in.waiting.empty();
+    base::take(in);
+    if (!is_empty || !in.taken) return;
+    in.all_taken.push_back(*in.taken);
+    in.all_taken.back().beat = k;
+  }
+};
+
+// As if it were heard when it was published.
+struct queued_is_heard_when_published : base {
+  using base::base;
+  const publication* newest(const input& in) const override {
+    if (!in.ways[0].is_taken) return base::newest(in);
+    input published = g.calls[in.ways[0].writer].inputs[in.ways[0].port];
+    for (way& w : published.ways) w.delay += in.ways[0].delay;
+    return base::newest(published);
+  }
+};
+
 // ---- stopped and started ----
 
 struct fires_although_stopped : base {
@@ -612,6 +635,10 @@ const std::vector<mutant> all_mutants{
     {"a pattern is looked up in its graph alone", mutants::made<mutants::looked_up_in_its_graph_alone>},
     {"* stands for any number of names", mutants::made<mutants::star_is_any_number>},
     {"** at the end names no inputs", mutants::made<mutants::no_inputs_are_named>},
+    {"what is taken from a queue is heard again and again, delayed",
+     mutants::made<mutants::taken_is_heard_again>},
+    {"what waits in a queue is heard before it is taken, delayed",
+     mutants::made<mutants::queued_is_heard_when_published>},
     {"a component fires although it is stopped", mutants::made<mutants::fires_although_stopped>},
     {"an inner graph does not stop", mutants::made<mutants::inner_graphs_do_not_stop>},
     {"a part starts what is inside", mutants::made<mutants::starts_what_is_inside>},

@@ -65,6 +65,7 @@ enum class when_full { drop_oldest, drop_newest, reject };
 struct way {
   int writer = -1, port = -1;
   std::int64_t delay = 0;
+  bool is_taken = false;  // it brings what the writer's input number `port` takes from its queue
 };
 
 struct input {
@@ -82,6 +83,7 @@ struct input {
 
   std::deque<publication> waiting;  // queue
   std::optional<publication> taken;
+  std::vector<publication> all_taken;
   std::int64_t arrived_in = never;  // queue: the beat in which the newest samples arrived, and how many
   int arrivals = 0;
   // For the count of what was exercised.

@@ -59,6 +59,10 @@ class Scopes:
         return []
 
 
+def is_queued(wire):
+    return "queue" in wire.policy or "merged" in wire.policy
+
+
 def may_hear(found, policy, environment):
     """Whether an observer with this policy, in this environment, may hear all of it."""
     late = policy[1] if policy[0] == "delayed" else 0
@@ -70,8 +74,9 @@ def may_hear(found, policy, environment):
                 return False
             continue
         for wire in one[1]:
-            queued = "queue" in wire.policy or "merged" in wire.policy
-            if queued and (late or wire.reader.environment != environment):
+            if is_queued(wire) and late:
+                continue  # it hears what is taken
+            if is_queued(wire) and wire.reader.environment != environment:
                 return False
             delay = late + (wire.policy[1] if wire.policy[0] == "delayed" else 0)
             from_act = any(port is wire.out for port in wire.writer.ports["act"][1])

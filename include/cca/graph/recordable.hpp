@@ -27,7 +27,7 @@ struct probed : Graph {};
 template <class Graph>
 inline constexpr graph_sizes graph_size<probed<Graph>> = graph_size<Graph>;
 template <class Graph>
-inline constexpr int link_count_of<probed<Graph>> = link_count_of<Graph>;
+inline constexpr heard_count heard_count_of<probed<Graph>> = heard_count_of<Graph>;
 template <class Graph>
 inline constexpr int calls_in_part<probed<Graph>> = calls_in_part<Graph>;
 template <class Graph>

@@ -79,7 +79,7 @@ inline std::string in_columns(const std::vector<std::vector<std::string>>& rows)
 template <class Graph>
 std::string list_of_outputs() {
   std::vector<std::vector<std::string>> rows{{"output", "space", "unit", "rate", "numbers"}};
-  for (int o = 0; o < counts_of<Graph>.output_count; ++o) {
+  for (int o = 0; o < counts_of<Graph>.output_count - counts_of<Graph>.taken_count; ++o) {
     const space_info& space = space_of_output<Graph>(o);
     const space_schema all(space);
     std::string numbers;

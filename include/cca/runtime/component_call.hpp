@@ -203,8 +203,17 @@ private:
   }
 
   CCA_INLINE void take_from_queues() const {
-    if constexpr (has_queue<Graph>(c)) (reader<Position>::take(b, source(Position)), ...);
+    if constexpr (has_queue<Graph>(c)) (take<Position>(), ...);
     if constexpr (has_observers(c)) take_heard<Graph, Call>(b);
+  }
+  template <int P>
+  CCA_INLINE void take() const {
+    if constexpr (constexpr int output = output_of_taken<Graph, Call, P>; output >= 0) {
+      const auto& waiting = reader<P>::stored(b, source(P));
+      if (!played_taken<typename as_planned<Graph>::type, output>::is_told(b) && !waiting.is_empty())
+        publish_taken<Graph, output>(b, waiting.show()->vector(), waiting.show()->origin());
+    }
+    reader<P>::take(b, source(P));
   }
 
   // Where the readers of this beat find the result; if there are none, in a variable of this call.

@@ -53,13 +53,13 @@ template <class Graph>
 std::string path_of_output(int output) {
   const auto& o = plan_of<Graph>.outputs[array_size(output)];
   const auto& call = plan_of<Graph>.calls[array_size(o.call)];
-  return path_of_node<Graph>(call.node) + "." + std::string(call.function->outputs[o.port].name);
+  return path_of_node<Graph>(call.node) + "." + std::string(port_of(call, o).name);
 }
 
 template <class Graph>
 const space_info& space_of_output(int output) {
   const auto& o = plan_of<Graph>.outputs[array_size(output)];
-  return *plan_of<Graph>.calls[array_size(o.call)].function->outputs[o.port].space;
+  return *port_of(plan_of<Graph>.calls[array_size(o.call)], o).space;
 }
 
 template <class Graph, class F, class State, int First>

@@ -42,6 +42,31 @@ CCA_INLINE void put_into_queues(const beat_context<Graph>& b, const Vector& v, s
 template <class Graph, int Output, int Input, class Vector>
 void play_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_t origin);
 
+// What a component takes from the queue of an input is told to those that observe it later, by an output
+// that has no port (graph/plan/steps/listen.hpp); -1: nobody does.
+template <class Graph, int Call, int Position>
+inline constexpr int output_of_taken = [] {
+  if (!call_of<Graph, Call>.tells_taken) return -1;
+  for (int o = counts_of<Graph>.output_count - counts_of<Graph>.taken_count; o < counts_of<Graph>.output_count; ++o)
+    if (const auto& out = plan_of<Graph>.outputs[array_size(o)]; out.call == Call && out.port == Position)
+      return o;
+  return -1;
+}();
+// In a replay of a free-running environment that is what was recorded (record/replay/played_samples.hpp).
+template <class Graph, int Output>
+struct played_taken {
+  static constexpr bool is_told(const auto&) { return false; }
+};
+
+template <class Graph, int Output, class Vector>
+CCA_INLINE void publish_taken(const beat_context<Graph>& b, const Vector& v, std::int64_t origin) {
+  constexpr place at = layout_of<Graph>.outputs[Output];
+  constexpr const auto& out = output_of<Graph, Output>;
+  if constexpr (at.array >= 0) b.template at<at.array>(at.index).put(v, origin, b.k);
+  if constexpr (out.leaves) b.state.template send<Output>(v, origin, b.k);
+  if constexpr (is_probed<Graph>) tell_recorder<Graph>(b.state.frame, Output, v, origin);
+}
+
 // The part that a result of a call stops or starts.
 template <class Graph, int Call, class Returned>
 inline constexpr int asked_part_of = [] {

@@ -103,7 +103,7 @@ struct stored_array<Graph, Array, storage_kind::newest> {
       const place at = layout_of<Graph>.outputs[o];
       if (at.array != Array) continue;
       const auto& out = plan.outputs[o];
-      const auto& space = *plan.calls[static_cast<std::size_t>(out.call)].function->outputs[out.port].space;
+      const auto& space = *port_of(plan.calls[static_cast<std::size_t>(out.call)], out).space;
       for (int c = 0; c < array_of<Graph, Array>.size; ++c)
         all[at.index].vector()[c] = initial_coordinate(out.initial_of, space, c);
     }

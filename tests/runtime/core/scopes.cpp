@@ -221,6 +221,40 @@ TEST_SUITE("scopes") {
     CHECK(told.at("r.y") == all_heard{{0, never, false}, {1, 0, true}, {1, 0, true}, {1.125, ms, true}});
   }
 
+  TEST_CASE("with a delay an observer hears what is taken from a queue, when it was taken") {
+    // Beats 0 and 2 take what was published in beats 0 and 1; in between nothing is new.
+    const auto log = after<cca::observe<"r.**", cca::delayed<1>>>(6);
+    CHECK_EQ(log.paths, names{"r.y", "r.late", "r.queued"});
+    CHECK(log.told.at("r.queued") == all_heard{{0, never, false},
+                                               {0, 0, true},
+                                               {0, 0, false},
+                                               {0.125, ms, true},
+                                               {0.125, ms, false},
+                                               {0.25, 2 * ms, true}});
+    // Nothing is lost to a slower one but what it does not see, and a program hears the same.
+    const auto slow = after<cca::observe<"r.queued.**", cca::delayed<2>>, cca::timed<3>>(7);
+    CHECK(slow.told.at("r.queued") == all_heard{{0, never, false}, {0, 0, true}, {0.25, 2 * ms, true}});
+  }
+
+  TEST_CASE("of merged wires each sample is heard that was taken; an empty queue tells nothing new") {
+    struct sums
+        : cca::graph<cca::rate<1000>, cca::node<"a", joints, cca::timed<4>>,
+                     cca::node<"b", joints, cca::timed<4, 2>>, cca::node<"r", plus, cca::timed<1>>,
+                     cca::node<"log", ear<cca::observe<"r.x.**", cca::delayed<1>>>, cca::timed<1>>,
+                     cca::wire<"a.angles", "r.x", cca::merged<2>, cca::initial<0.5>>,
+                     cca::wire<"b.angles", "r.x", cca::merged<2>, cca::delayed<2>>> {};
+    auto c = started<sums>();
+    for (int k = 0; k < 7; ++k) c.step();
+    // Beat 4: what `b` published in beat 2 arrives first; what `a` publishes is taken in beat 5.
+    CHECK(c.get<"log">().told.at("r.x") == all_heard{{0.5, never, false},
+                                                     {0, 0, true},
+                                                     {0, 0, false},
+                                                     {0, 0, false},
+                                                     {0, 0, false},
+                                                     {0.25, 2 * ms, true},
+                                                     {0.5, 4 * ms, true}});
+  }
+
   TEST_CASE("an observer's queue holds what it has not seen, for each output") {
     const auto log = after<cca::observe<"s.*", cca::queue<2, cca::drop_oldest>>, cca::timed<3>>(7);
     CHECK(log.told.at("s.angles") == all_heard{{0, 0, true}, {0.25, 2 * ms, true}, {0.625, 5 * ms, true}});

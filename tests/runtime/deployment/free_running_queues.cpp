@@ -19,7 +19,8 @@ std::string told(const Played& c) {
   std::ostringstream text;
   text << std::hexfloat << c.beat_index() << ' ' << cca::to_string(c.state()) << ' ' << c.fault().reason()
        << ' ' << c.fault_path() << ' ' << c.template get<"robot">().command << ' '
-       << c.template get<"witness">().hash;
+       << c.template get<"witness">().hash << ' ' << c.template get<"hears">().hash << ' '
+       << c.template get<"hears_freely">().hash;
   const auto tell = [&](const char* name, const logbook& one) {
     text << '\n' << name << ' ' << one.hash << ' ' << one.seen << ' ' << one.last << ' ' << one.lost;
   };
@@ -42,7 +43,7 @@ void check_same(F plays) {
 struct two_free
     : cca::deployment<architecture,
                       cca::environment<"robot", cca::nodes<"robot">>,
-                      cca::environment<"inside", cca::nodes<"inside", "counts", "pauses">, cca::free_running>,
+                      cca::environment<"inside", cca::nodes<"inside", "counts", "pauses", "hears_freely">, cca::free_running>,
                       cca::environment<"eyes", cca::nodes<"eyes">, cca::free_running>,
                       cca::environment<"mind", cca::nodes<"mind", "merged", "witness", "first", "echo">>,
                       cca::environment<"rest", cca::other_nodes>> {};

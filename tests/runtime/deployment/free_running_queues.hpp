@@ -72,6 +72,19 @@ struct witness {
     for (const auto& one : all) hash = std::fmod(1.21 * hash + one.values[0] + (one.fresh ? 0.5 : 0), 1e6);
   }
 };
+// Hears what others take from their queues, wherever these are.
+template <class Heard>
+struct hears {
+  double hash = 0;
+  auto process(Heard all, cca::beat) -> cca::out<"y", number> {
+    for (const auto& one : all)
+      hash = std::fmod(1.19 * hash + one.values[0] + (one.fresh ? 0.5 : 0) + 1e-9 * static_cast<double>(one.origin),
+                       1e6);
+    return hash;
+  }
+};
+using from_all = cca::observe<"eyes.x.**|inside.x.**|merged.x.**|late.x.**", cca::delayed<2>>;
+using from_beats = cca::observe<"merged.x.**|mind.x.**", cca::delayed<1>>;
 struct alarm {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (double, most));
@@ -98,6 +111,8 @@ struct architecture
                  cca::node<"late", logbook, cca::timed<2, 1>>,
                  cca::node<"rare", logbook, cca::timed<2>>,
                  cca::node<"inside", logbook, cca::full_speed>,
+                 cca::node<"hears", hears<from_all>, cca::timed<1>>,
+                 cca::node<"hears_freely", hears<from_beats>, cca::full_speed>,
                  cca::wire<"robot.y", "eyes.x", cca::queue<4>>,
                  // One after another in a beat: the counter, the eyes, their echo, and who counts the
                  // counter. That one may be done before the echo begins.
@@ -125,7 +140,7 @@ struct spread
           architecture,
           cca::environment<"robot", cca::nodes<"robot", "first", "merged", "witness", "echo", "alarm">>,
           cca::environment<"eyes", cca::nodes<"eyes", "inside">, cca::free_running>,
-          cca::environment<"counts", cca::nodes<"counts", "pauses">, cca::free_running>,
+          cca::environment<"counts", cca::nodes<"counts", "pauses", "hears_freely">, cca::free_running>,
           cca::environment<"mind", cca::other_nodes>,
           Options...> {};
 

@@ -61,7 +61,7 @@ struct pair : journal {
   }
 };
 struct listener : journal {
-  void process(cca::observe<"mind.**.*", cca::delayed<2>> scope, cca::beat now) {
+  void process(cca::observe<"mind.**.*|queued.**", cca::delayed<2>> scope, cca::beat now) {
     for (const auto& one : scope) note(now, one.values[0], one.origin, one.fresh);
   }
 };
@@ -181,6 +181,7 @@ struct fall : cca::graph<cca::rate<1000>,
                          cca::node<"plan", noting<4>>,
                          cca::node<"stance", noting<10>, cca::stoppable<>>,
                          cca::node<"rare", noting<12>, cca::timed<11>>,
+                         cca::node<"listener", listener>,
                          cca::wire<"plan.y", "robot.x", cca::delayed<3>>,
                          cca::wire<"robot.y", "asks.x">,
                          cca::wire<"asks.y", "also_asks.x", cca::delayed<1>>,

@@ -32,15 +32,18 @@ struct ear {
 // Outputs, and inputs with a delay, from the graph around and from the outermost one.
 struct arm : cca::graph<cca::node<"counter", counter, cca::timed<2>>,
                         cca::node<"sum", adder>,
-                        cca::wire<"counter.y", "sum.x", cca::delayed<2>>> {};
+                        cca::node<"slow", adder, cca::timed<5>>,
+                        cca::wire<"counter.y", "sum.x", cca::delayed<2>>,
+                        cca::wire<"counter.y", "slow.x", cca::delayed<1>, cca::queue<3>>> {};
 struct mind
     : cca::graph<cca::node<"all", ear<cca::observe<"arm.**", cca::delayed<1>>>, cca::timed<1>>,
                  cca::node<"sums", ear<cca::observe<"/**.sum.*", cca::delayed<3>>>, cca::timed<3>>,
+                 cca::node<"taken", ear<cca::observe<"/**.slow.x.**", cca::delayed<2>>>>,
                  cca::node<"queue",
                            ear<cca::observe<"*.counter.y", cca::delayed<1>, cca::queue<2, cca::drop_newest>>>,
                            cca::timed<5>>> {};
 struct whole
-    : cca::graph<cca::rate<1000>, cca::node<"mind", mind>, cca::node<"arm", arm>, cca::observe<"arm.**">> {};
+    : cca::graph<cca::rate<1000>, cca::node<"mind", mind>, cca::node<"arm", arm>, cca::observe<"arm.**">, cca::observe<"arm.slow.**", cca::delayed<3>>> {};
 struct split : cca::deployment<whole,
                                cca::environment<"body", cca::nodes<"arm.counter">>,
                                cca::environment<"sums", cca::nodes<"arm.sum">>,
@@ -54,6 +57,7 @@ std::vector<std::vector<heard>> told(Controller& c) {
   std::vector<std::vector<heard>> all{c.template get<"mind.all">().log,
                                       c.template get<"mind.sums">().log,
                                       c.template get<"mind.queue">().log,
+                                      c.template get<"mind.taken">().log,
                                       {}};
   c.observed([&](const cca::observation& one) {
     all.back().push_back({c.beat_index(), std::string(one.path), one.values[0], one.origin, one.fresh});
@@ -69,11 +73,13 @@ TEST_SUITE("scopes between environments") {
     cca::deployed<split> environments;
     const auto expected = told(one);
     CHECK(told(environments) == expected);
-    REQUIRE(expected.size() == 4);
-    CHECK(expected[0].size() == 3 * 40);  // two outputs and an input
-    CHECK(expected[0][2].path == "arm.sum.x");
+    REQUIRE(expected.size() == 5);
+    CHECK(expected[0].size() == 5 * 40);  // three outputs and two inputs
+    CHECK(expected[0][3].path == "arm.sum.x");
+    CHECK(expected[0][4].path == "arm.slow.x");
     CHECK(expected[1].size() == 14);
     CHECK(expected[2].size() == 8);
-    CHECK(expected[3].size() == 3);
+    CHECK(expected[3].size() == 7);  // in beats 7, 12, ..., 37: the queue is empty in beat 0
+    CHECK(expected[4].size() == 7);
   }
 }

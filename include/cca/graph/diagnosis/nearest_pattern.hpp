@@ -11,11 +11,12 @@ struct pattern_repair {
   const flat_view& g;
   std::string_view wrong;
   int scope, observer;
+  names_of_ports names{g};
   text best{};
   std::size_t least = 0;
 
   constexpr bool names_something(const text& candidate) const {
-    return for_each_named(g, candidate.view(), scope, observer, [](int, int, ref<item_info>) {}) > 0;
+    return for_each_named(g, names, candidate.view(), scope, observer, [](int, int, ref<item_info>) {}) > 0;
   }
   constexpr void try_with(std::size_t begin, std::size_t end, std::string_view name, std::size_t distance) {
     text candidate;
@@ -41,7 +42,7 @@ struct pattern_repair {
         if (item.kind == item_kind::node || item.kind == item_kind::graph) try_name(begin, end, item.from);
         if (item.kind == item_kind::expose) try_name(begin, end, item.to);
       }
-    for (int o = 0; o < g.output_count; ++o) try_name(begin, end, port_of(g, g.outputs[o]).name);
+    for (int o = 0; o < g.output_count - g.taken_count; ++o) try_name(begin, end, port_of(g, g.outputs[o]).name);
   }
 
   constexpr void run() {

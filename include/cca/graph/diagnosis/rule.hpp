@@ -49,7 +49,6 @@ struct observer_policy {};
 struct unheard_pattern {};  // it names nothing
 // A path for which a component asks [call, name, axis; input and output: of its link].
 struct asked_path {};
-struct heard_input {};  // an input that an observer hears [input: the observer's own for it]
 // find the rate
 struct second_rate {};  // a rate that is not the graph's
 struct known_rate {};   // [no item]

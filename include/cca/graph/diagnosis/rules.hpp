@@ -29,7 +29,6 @@
 #include <cca/graph/diagnosis/rules/modes/modes_unknown_mode.hpp>
 #include <cca/graph/diagnosis/rules/observers/observe_bad_policy.hpp>
 #include <cca/graph/diagnosis/rules/observers/observe_nothing.hpp>
-#include <cca/graph/diagnosis/rules/observers/observe_queue.hpp>
 #include <cca/graph/diagnosis/rules/observers/plan_unknown_path.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_coordination.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_misplaced.hpp>
@@ -81,7 +80,6 @@ using rules = list<
     wire_unconnected_input,
     observe_bad_policy,
     observe_nothing,
-    observe_queue,
     plan_unknown_path,
     rate_missing,
     strategy_never_fires,

@@ -14,7 +14,7 @@ namespace cca::detail {
 
 // The number of the output with this path; -1: there is none.
 constexpr int output_named(const flat_view& g, std::string_view path) {
-  for (int o = 0; o < g.output_count; ++o) {
+  for (int o = 0; o < g.output_count - g.taken_count; ++o) {
     text known;
     add_port(known, g, g.outputs[o]);
     if (known.view() == path) return o;
@@ -52,7 +52,7 @@ constexpr text nearest_output(const flat_view& g, std::string_view wrong) {
       candidate << item.to;
       if (output_named(g, candidate.view()) >= 0) consider(candidate);
     }
-  for (int o = 0; o < g.output_count; ++o) {
+  for (int o = 0; o < g.output_count - g.taken_count; ++o) {
     text candidate;
     add_port(candidate, g, g.outputs[o]);
     consider(candidate);

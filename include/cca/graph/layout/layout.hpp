@@ -256,12 +256,12 @@ struct layout_step {
     const auto space = port_of(g, in).space;
     return !space || in.outside || g.calls[in.call].elsewhere || space->size > most_compared;
   }
-  // What stops and starts parts looks them up by its own number.
+  // What stops and starts parts, or tells what it takes from queues, looks these up by its own number.
   constexpr bool is_unique(const call& c) const {
-    return c.elsewhere || c.function->asked_count > 0 || strategy_of_call(g, c).keeps_state;
+    return c.elsewhere || c.tells_taken || c.function->asked_count > 0 || strategy_of_call(g, c).keeps_state;
   }
   constexpr bool is_unique(const output& out) const {
-    if (out.leaves || g.calls[out.call].elsewhere) return true;
+    if (out.leaves || out.is_taken || g.calls[out.call].elsewhere) return true;
     if (g.queue_count == 0) return false;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer)
       if (g.inputs[i].queue >= 0) return true;
@@ -305,7 +305,7 @@ struct layout_step {
 template <class Graph>
 inline constexpr auto layout_of = [] {
   constexpr auto& size = graph_size<Graph>;
-  layout<size.nodes, size.calls, input_count_of<Graph>, size.outputs> result;
+  layout<size.nodes, size.calls, input_count_of<Graph>, output_room_of<Graph>> result;
   auto plan = plan_of<Graph>;
   const auto view = plan.view();
   layout_step<decltype(result)>{view, result}.run();

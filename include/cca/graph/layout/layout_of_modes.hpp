@@ -10,7 +10,7 @@ namespace cca::detail {
 template <Modes M>
 inline constexpr auto layout_of<M> = [] {
   constexpr auto& size = graph_size<M>;
-  layout<size.nodes, size.calls, input_count_of<M>, size.outputs> result;
+  layout<size.nodes, size.calls, input_count_of<M>, output_room_of<M>> result;
   layout_step<decltype(result)> step{shown_plan<M>, result};
   step.place_nowhere();
   step.place_components();
@@ -24,7 +24,7 @@ template <ModeKey Mode>
 inline constexpr auto layout_of<Mode> = [] {
   using M = set_of_key<Mode>;
   constexpr auto& size = graph_size<Mode>;
-  layout<size.nodes, size.calls, input_count_of<Mode>, size.outputs> result;
+  layout<size.nodes, size.calls, input_count_of<Mode>, output_room_of<Mode>> result;
   auto plan = plan_of<Mode>;
   const auto g = plan.view();
   layout_step<decltype(result)>{g, result}.run();

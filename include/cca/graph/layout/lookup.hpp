@@ -14,7 +14,7 @@ inline constexpr const call& call_of = plan_of<Graph>.calls[Call];
 
 template <class Graph, int Output>
 inline constexpr const port_info& output_port_of =
-    call_of<Graph, output_of<Graph, Output>.call>.function->outputs[output_of<Graph, Output>.port];
+    port_of(call_of<Graph, output_of<Graph, Output>.call>, output_of<Graph, Output>);
 template <class Graph, int Input>
 inline constexpr const port_info& input_port_of =
     call_of<Graph, input_of<Graph, Input>.call>.function->inputs[input_of<Graph, Input>.port];
@@ -36,7 +36,7 @@ inline constexpr int size_of_input = space_of_input<Graph, Input>.size;
 
 template <class Graph, int Output>
 inline constexpr clock published_of =
-    published(output_port_of<Graph, Output>, call_of<Graph, output_of<Graph, Output>.call>);
+    published(call_of<Graph, output_of<Graph, Output>.call>, output_of<Graph, Output>);
 
 // The inputs and outputs of a function by their position in it.
 template <class Graph, int Call>

@@ -62,6 +62,7 @@ struct call {
   // While its part is started. It differs from `fires` if it is known: a part may be stopped at any time.
   clock own_clock{};
   int first_request = 0;     // of those that stop or start parts
+  bool tells_taken = false;  // publishes what its inputs take from their queues
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
   bool elsewhere = false;    // runs in another environment
   bool irregular = false;    // of a free-running environment, in a wall-clock run
@@ -88,7 +89,7 @@ struct input {
   int queue = -1;                    // number of its queue; that of all ways into an input
   int next_way = -1;                 // the next way into the same input
   int way_of = -1;                   // of a further way: the input
-  int shows = -1;  // of an observer: the input whose queue it shows, and takes nothing from it
+  int shows = -1;  // of an observer without delay: the input whose queue it shows, and takes nothing from it
   int turn = 0;    // of a way: its place among those into one input, by the order of publication
   bool counts_arrivals = false;  // its strategy may ask how many samples came in a beat
   bool counts_vary = false;      // the ways into it differ in whether their samples count for the origin
@@ -107,6 +108,9 @@ enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, 
 
 struct output {
   int call = 0, port = 0;
+  // No port of its own, but what the input at this place takes from its queue, for observers with a delay. It
+  // stands after the outputs of all ports.
+  bool is_taken = false;
   int first_reader = -1;
   bool watched = false;         // an `observe` of the graph names it
   bool watched_newest = false;  // one that has no policy
@@ -117,6 +121,7 @@ struct output {
   int in_a_beat = 1;     // samples; in a replay what arrived together may be more
   bool by_clock = true;  // its clock tells when its samples were published, also in other modes
   ref<item_info> initial_of = nullptr;
+  std::uint64_t modes = 0;  // of a set of modes, if it is_taken: those that have it
 };
 
 // What an observer hears: an output, or what another input shows. It comes by an input of its own, which
@@ -145,7 +150,9 @@ struct flat_view {
   stoppable_part* parts;
   part_request* requests;
   int part_count = 0, request_count = 0;
-  int scope_count = 0, node_count = 0, call_count = 0, output_count = 0, link_count = 0, queue_count = 0;
+  int scope_count = 0, node_count = 0, call_count = 0, link_count = 0, queue_count = 0;
+  int output_count = 0;  // of ports, then of what is taken from queues
+  int taken_count = 0;   // the last
   int input_count = 0;  // of ports, then of further ways into them, then one for each link
   int first_link = 0;   // the first of the last
   int order_count = 0;  // calls in a beat
@@ -192,7 +199,7 @@ struct flat {
     to.nodes = nodes;
     to.calls = calls;
     for (int i = 0; i < counts.input_count; ++i) to.inputs[array_size(i)] = inputs[array_size(i)];
-    to.outputs = outputs;
+    for (int o = 0; o < counts.output_count; ++o) to.outputs[array_size(o)] = outputs[array_size(o)];
     to.parts = parts;
     to.requests = requests;
     to.counts = counts;
@@ -214,8 +221,11 @@ struct flat {
 constexpr std::array<ref<function_info>, 3> functions_of(const component_info& component) {
   return {component.sense, component.process, component.act};
 }
+constexpr const port_info& port_of(const call& t, const output& o) {
+  return o.is_taken ? t.function->inputs[o.port] : t.function->outputs[o.port];
+}
 constexpr const port_info& port_of(const flat_view& g, const output& o) {
-  return g.calls[o.call].function->outputs[o.port];
+  return port_of(g.calls[o.call], o);
 }
 constexpr const port_info& port_of(const flat_view& g, const input& i) {
   return i.outside ? port_of(g, g.outputs[i.writer]) : g.calls[i.call].function->inputs[i.port];
@@ -266,19 +276,18 @@ constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
 }
 
 // The clock of an output's samples.
-constexpr clock published(const port_info& port, const call& t) {
-  return port.maybe ? (t.fires.never() ? never_clock : dynamic_clock) : t.fires;
+constexpr bool is_published_at_times(const call& t, const output& o) {
+  return o.is_taken || t.function->outputs[o.port].maybe;
 }
-constexpr clock published(const flat_view& g, const output& o) {
-  const auto& t = g.calls[o.call];
-  const auto& port = t.function->outputs[o.port];
-  return port.maybe ? published(port, t) : t.fires;
+constexpr clock published(const call& t, const output& o) {
+  if (!is_published_at_times(t, o)) return t.fires;
+  return t.fires.never() ? never_clock : dynamic_clock;
 }
+constexpr clock published(const flat_view& g, const output& o) { return published(g.calls[o.call], o); }
 // The same in the beats in which a reader may fire: where it runs, the parts around it are started.
 constexpr clock published_to(const flat_view& g, const output& o, int reader_call) {
   const auto& t = g.calls[o.call];
-  const auto& port = t.function->outputs[o.port];
-  if (!t.own_clock.known() || port.maybe) return published(g, o);
+  if (!t.own_clock.known() || is_published_at_times(t, o)) return published(g, o);
   return is_around(g, g.nodes[t.node].part, part_of_call(g, reader_call)) ? t.own_clock : t.fires;
 }
 

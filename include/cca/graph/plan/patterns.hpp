@@ -17,6 +17,7 @@
 #include <cca/base/text.hpp>
 #include <cca/graph/plan/flat.hpp>
 #include <cca/graph/plan/names.hpp>
+#include <cca/graph/plan/scratch.hpp>
 
 namespace cca::detail {
 
@@ -187,29 +188,77 @@ constexpr int link_at(const flat_view& g, int call, std::string_view path, int s
   return -1;
 }
 
+// The names of all ports. They are found once for all patterns, which takes far fewer constexpr steps.
+class names_of_ports {
+public:
+  explicit constexpr names_of_ports(const flat_view& g)
+      : outputs(g.output_count - g.taken_count), first(outputs + g.first_link + 1) {
+    for (int o = 0; o < outputs; ++o) add(g, o, own_name(g, g.outputs[o]));
+    for (int i = 0; i < g.first_link; ++i) add(g, outputs + i, own_name(g, g.inputs[i]));
+  }
+  names_of_ports(const names_of_ports&) = delete;
+  names_of_ports& operator=(const names_of_ports&) = delete;
+  constexpr ~names_of_ports() { delete[] names; }
+
+  // As any_name.
+  template <class F>
+  constexpr bool any_of_output(int o, F f) const {
+    return any(o, f);
+  }
+  template <class F>
+  constexpr bool any_of_input(int i, F f) const {
+    return any(outputs + i, f);
+  }
+
+private:
+  constexpr void add(const flat_view& g, int number, const port_name& own) {
+    any_name(g, own, [this](const port_name& name) {
+      if (count == room) widen();
+      names[count++] = name;
+      return false;
+    });
+    first[number + 1] = count;
+  }
+  constexpr void widen() {
+    room = room == 0 ? 16 : 2 * room;
+    auto* const wider = new port_name[static_cast<std::size_t>(room)];
+    for (int n = 0; n < count; ++n) wider[n] = names[n];
+    delete[] names;
+    names = wider;
+  }
+  template <class F>
+  constexpr bool any(int number, F& f) const {
+    for (int n = first[number]; n < first[number + 1]; ++n)
+      if (f(names[n])) return true;
+    return false;
+  }
+
+  int outputs, count = 0, room = 0;
+  scratch first;
+  port_name* names = nullptr;
+};
+
 // What a pattern names in one graph.
 struct pattern_search {
   const flat_view& g;
+  const names_of_ports& names;
   const pattern& whole;
   int in_scope;
   int observer = -1;    // the call that observes, which does not hear its own ports; -1: none
   words_of_path& path;  // of the port that is looked at: to make one for each takes many constexpr steps
 
-  // `as`: the name under which it is found.
-  template <class Port>
-  constexpr bool finds(const Port& p, bool is_input, ref<item_info>& as) const {
-    return any_name(g, own_name(g, p), [&](const port_name& name) {
-      for (std::size_t i = 0; i < whole.count; ++i) {
-        const auto& one = whole.alternatives[i];
-        if ((is_input && !one.names_inputs()) || (one.from_outermost && in_scope != 0) ||
-            !one.may_name(name.port))
-          continue;
-        if (!find_path(path, g, name, in_scope) || !one.names(path)) continue;
-        as = name.as;
-        return true;
-      }
-      return false;
-    });
+  // `as` becomes the name under which it is found.
+  constexpr bool finds(const port_name& name, bool is_input, ref<item_info>& as) const {
+    for (std::size_t i = 0; i < whole.count; ++i) {
+      const auto& one = whole.alternatives[i];
+      if ((is_input && !one.names_inputs()) || (one.from_outermost && in_scope != 0) ||
+          !one.may_name(name.port))
+        continue;
+      if (!find_path(path, g, name, in_scope) || !one.names(path)) continue;
+      as = name.as;
+      return true;
+    }
+    return false;
   }
 
   // Calls f(output, -1, name) and, after them, f(its writer, input, name); returns how many there are.
@@ -217,15 +266,17 @@ struct pattern_search {
   constexpr int for_each(F f) const {
     int count = 0;
     ref<item_info> as = nullptr;
-    for (int o = 0; o < g.output_count; ++o)
-      if (g.outputs[o].call != observer && finds(g.outputs[o], false, as)) {
+    for (int o = 0; o < g.output_count - g.taken_count; ++o)
+      if (g.outputs[o].call != observer &&
+          names.any_of_output(o, [&](const port_name& name) { return finds(name, false, as); })) {
         f(o, -1, as);
         ++count;
       }
     if (!whole.may_name_inputs()) return count;
     for (int i = 0; i < g.first_link; ++i)
       if (const auto& in = g.inputs[i];
-          in.writer >= 0 && in.way_of < 0 && in.call != observer && finds(in, true, as)) {
+          in.writer >= 0 && in.way_of < 0 && in.call != observer &&
+          names.any_of_input(i, [&](const port_name& name) { return finds(name, true, as); })) {
         f(in.writer, i, as);
         ++count;
       }
@@ -235,11 +286,12 @@ struct pattern_search {
 
 // Of the first graph in which the pattern names anything, from `scope` outwards.
 template <class F>
-constexpr int for_each_named(const flat_view& g, std::string_view text, int scope, int observer, F f) {
+constexpr int for_each_named(
+    const flat_view& g, const names_of_ports& names, std::string_view text, int scope, int observer, F f) {
   const pattern whole(text);
   words_of_path path;
   for (int s = scope; s >= 0; s = g.scopes[s].parent)
-    if (const int count = pattern_search{g, whole, s, observer, path}.for_each(f); count > 0) return count;
+    if (const int count = pattern_search{g, names, whole, s, observer, path}.for_each(f); count > 0) return count;
   return 0;
 }
 

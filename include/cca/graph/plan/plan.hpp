@@ -37,12 +37,12 @@ template <class Graph>
 inline constexpr graph_sizes graph_size = graph_facts<Graph>::value.sizes;
 
 // With room for so many links.
-template <class Graph, int Links>
+template <class Graph, int Links, int Taken = 0>
 using flat_with = flat<graph_size<Graph>.scopes,
                        graph_size<Graph>.nodes,
                        graph_size<Graph>.calls,
                        graph_size<Graph>.ways() + Links,
-                       graph_size<Graph>.outputs,
+                       graph_size<Graph>.outputs + Taken,
                        Links,
                        graph_size<Graph>.parts,
                        graph_size<Graph>.part_requests>;
@@ -83,23 +83,28 @@ inline constexpr flat_with<Graph, 0> connected_of = then<Graph>(flattened_of<Gra
   return connect(g, flattened_of<Graph>.names.data(), names_size<Graph> - 1);
 });
 
-// How many links the observers of a graph have.
+// What the observers of a graph hear.
 template <class Graph>
-inline constexpr int link_count_of = [] {
+inline constexpr heard_count heard_count_of = [] {
   if constexpr (graph_size<Graph>.observers == 0 && graph_size<Graph>.watches == 0) {
-    return 0;
+    return heard_count();
   } else {
     auto connected = connected_of<Graph>;
-    return connected.counts.found.is_broken() ? 0 : count_links(connected.view());
+    return connected.counts.found.is_broken() ? heard_count() : count_heard(connected.view());
   }
 }();
+template <class Graph>
+inline constexpr int link_count_of = heard_count_of<Graph>.links;
 
 template <class Graph>
-using flat_of = flat_with<Graph, link_count_of<Graph>>;
+using flat_of = flat_with<Graph, link_count_of<Graph>, heard_count_of<Graph>.taken>;
 
 // Of ports, of ways into them, and of links.
 template <class Graph>
 inline constexpr int input_count_of = graph_size<Graph>.ways() + link_count_of<Graph>;
+// Of ports, and of what is taken from queues.
+template <class Graph>
+inline constexpr int output_room_of = graph_size<Graph>.outputs + heard_count_of<Graph>.taken;
 
 template <class Graph>
 consteval flat_of<Graph> listened() {

@@ -22,7 +22,7 @@ struct crossings {
   // For each output, the largest delay of a reader in another environment; 0: all readers are here. A wire of
   // a free-running environment may have none: it counts as one beat, because before a beat begins nothing
   // later is needed.
-  std::array<int, array_size(graph_size<D>.outputs) + 1> largest_delay{};
+  std::array<int, array_size(output_room_of<D>) + 1> largest_delay{};
   // From an environment to another the least delay; 0: nothing goes there.
   std::array<std::array<int, array_size(environment_count<D>)>, array_size(environment_count<D>)>
       least_delay{};

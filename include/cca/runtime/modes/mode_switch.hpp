@@ -22,6 +22,14 @@ template <class M, int I>
 constexpr mode_set modes_with(int node) {
   return plan_of<M>.nodes[array_size(shared_nodes<M, I>[array_size(node)])].modes;
 }
+// The modes that have an output. What is taken from a queue only those that observe it have.
+template <class M, int I>
+constexpr mode_set modes_with_output(int output) {
+  const auto& plan = plan_of<mode_key<M, I>>;
+  const auto& out = plan.outputs[array_size(output)];
+  if (out.is_taken) return plan_of<M>.outputs[array_size(view_of_mode<M, I>.shared_output(output))].modes;
+  return modes_with<M, I>(plan.calls[array_size(out.call)].node);
+}
 // May a component of a graph ask for a mode?
 template <class Graph>
 inline constexpr bool may_request = [] {
@@ -49,10 +57,9 @@ struct kept_firing {
 template <class M, int I>
 struct passing_output {
   static constexpr bool holds(std::size_t o) {
-    const auto& plan = plan_of<mode_key<M, I>>;
     return plan_of<M>.outputs[array_size(view_of_mode<M, I>.shared_output(static_cast<int>(o)))].storage !=
                storage_kind::none &&
-           modes_with<M, I>(plan.calls[array_size(plan.outputs[o].call)].node) != every_mode<M>;
+           modes_with_output<M, I>(static_cast<int>(o)) != every_mode<M>;
   }
 };
 // The same that another environment reads.
@@ -61,7 +68,7 @@ struct passing_to_others {
   static constexpr bool holds(std::size_t o) {
     const auto& plan = plan_of<mode_key<M, I>>;
     return plan.outputs[o].leaves && !plan.calls[array_size(plan.outputs[o].call)].elsewhere &&
-           modes_with<M, I>(plan.calls[array_size(plan.outputs[o].call)].node) != every_mode<M>;
+           modes_with_output<M, I>(static_cast<int>(o)) != every_mode<M>;
   }
 };
 template <class M, int I>
@@ -138,11 +145,11 @@ struct mode_switch {
       for (int p = 0; p < parts_kept<M>; ++p)
         if (!has_mode(plan_of<M>.parts[array_size(p)].modes, last)) come(p, k);
     for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
-      if (!has_mode(modes_with<M, I>(call_of<part, output_of<part, Output>.call>.node), last))
+      if (!has_mode(modes_with_output<M, I>(Output), last))
         begin_anew<Output>(k);
     });
     for_each<counts.output_count, passing_to_others<M, I>>([&]<int Output>() {
-      if (!has_mode(modes_with<M, I>(call_of<part, output_of<part, Output>.call>.node), last))
+      if (!has_mode(modes_with_output<M, I>(Output), last))
         note_coming<Output>(state, k);
     });
     for_each<counts.input_count, passing_queue<M, I>>([&]<int Input>() {

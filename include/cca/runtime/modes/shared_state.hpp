@@ -124,7 +124,7 @@ inline constexpr auto frame_layout_of<Mode> = [] {
     frame.at[o] = whole.at[shared];
     frame.size[o] = whole.size[shared];
     frame.in_each_beat[o] =
-        published(call.function->outputs[plan.outputs[o].port], call).every_beat() && !may_be_cut<Mode>;
+        published(call, plan.outputs[o]).every_beat() && !may_be_cut<Mode>;
   }
   return frame;
 }();

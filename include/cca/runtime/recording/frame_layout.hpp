@@ -66,10 +66,9 @@ inline constexpr auto frame_layout_of = [] {
   for (std::size_t o = 0; o < array_size(outputs); ++o) {
     const auto& out = plan.outputs[o];
     const auto& call = plan.calls[array_size(out.call)];
-    const auto& port = call.function->outputs[out.port];
-    frame.size[o] = port.space->size;
+    frame.size[o] = port_of(call, out).space->size;
     if (frame.origin[o] < 0) continue;
-    frame.in_each_beat[o] = published(port, call).every_beat() && !may_be_cut<Graph>;
+    frame.in_each_beat[o] = published(call, out).every_beat() && !may_be_cut<Graph>;
     frame.at[o] = frame.words;
     frame.words += frame.size[o];
     if (const int most = told_earlier<Graph>::most(o); most > 0) {

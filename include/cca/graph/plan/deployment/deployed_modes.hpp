@@ -52,8 +52,8 @@ template <class D>
 using whole_of = typename whole_deployment<D>::type;
 
 template <class D, int I>
-inline constexpr int link_count_of<deployed_mode<D, I>> =
-    link_count_of<typename deployed_mode<D, I>::cca_architecture>;
+inline constexpr heard_count heard_count_of<deployed_mode<D, I>> =
+    heard_count_of<typename deployed_mode<D, I>::cca_architecture>;
 
 template <class D, int I>
 inline constexpr flat_of<deployed_mode<D, I>> plan_of<deployed_mode<D, I>> =
@@ -119,7 +119,7 @@ struct graph_facts<own_part<D, E>> : graph_facts<D> {};
 template <class D, int E>
 inline constexpr graph_sizes graph_size<own_part<D, E>> = graph_size<D>;
 template <class D, int E>
-inline constexpr int link_count_of<own_part<D, E>> = link_count_of<D>;
+inline constexpr heard_count heard_count_of<own_part<D, E>> = heard_count_of<D>;
 template <class D, int E, int Node>
 struct node_types<own_part<D, E>, Node> : node_types<D, Node> {};
 

@@ -47,7 +47,7 @@ template <class D, int E>
 inline constexpr graph_sizes graph_size<part<D, E>> = graph_size<D>;
 
 template <class D, int E>
-inline constexpr int link_count_of<part<D, E>> = link_count_of<D>;
+inline constexpr heard_count heard_count_of<part<D, E>> = heard_count_of<D>;
 
 // The nodes are those of the architecture.
 template <class D, int E, int Node>

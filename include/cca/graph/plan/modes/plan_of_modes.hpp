@@ -107,11 +107,11 @@ struct modes_of<M, list<Items...>, std::integer_sequence<int, Number...>> {
     return sum;
   }();
 
-  // Of all observers, for their queues.
-  static constexpr int links = [] {
-    int sum = 0;
+  // Of all observers, for their queues, and for what is taken from those that they observe.
+  static constexpr heard_count heard = [] {
+    heard_count sum;
     const auto add = [&]<class G>(box<G>) {
-      if constexpr (Graph<G>) sum += link_count_of<G>;
+      if constexpr (Graph<G>) sum += heard_count_of<G>;
     };
     (add(box<typename graph_of_mode<M, Number, Items>::type>{}), ...);
     return sum;
@@ -134,7 +134,7 @@ template <Modes M>
 inline constexpr graph_sizes graph_size<M> = modes_of<M>::sizes;
 
 template <Modes M>
-inline constexpr int link_count_of<M> = modes_of<M>::links;
+inline constexpr heard_count heard_count_of<M> = modes_of<M>::heard;
 
 template <class M>
 struct shared_plan {
@@ -242,7 +242,7 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
 template <class M, int I>
 inline constexpr graph_sizes graph_size<mode_part<M, I>> = graph_size<typename mode_part<M, I>::graph>;
 template <class M, int I>
-inline constexpr int link_count_of<mode_part<M, I>> = link_count_of<typename mode_part<M, I>::graph>;
+inline constexpr heard_count heard_count_of<mode_part<M, I>> = heard_count_of<typename mode_part<M, I>::graph>;
 template <class M, int I>
 inline constexpr int calls_in_part<mode_part<M, I>> = calls_in_part<typename mode_part<M, I>::graph>;
 

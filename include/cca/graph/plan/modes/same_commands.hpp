@@ -25,7 +25,14 @@ struct mode_view {
   constexpr int shared_output(int output) const {
     if (output < 0) return -1;
     const auto& o = g.outputs[output];
+    if (o.is_taken) return shared_taken(shared_call(o.call), o.port);
     return whole.calls[shared_call(o.call)].first_output + output - g.calls[o.call].first_output;
+  }
+  // What is taken from the queue of an input; the number of the next output, if no mode has that yet.
+  constexpr int shared_taken(int call, int port) const {
+    int o = whole.output_count - whole.taken_count;
+    while (o < whole.output_count && !(whole.outputs[o].call == call && whole.outputs[o].port == port)) ++o;
+    return o;
   }
 };
 

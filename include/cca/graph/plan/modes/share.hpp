@@ -123,6 +123,19 @@ struct sharing {
     }
   }
 
+  constexpr void add_taken(int mode) {
+    const auto view = view_of(mode);
+    for (int o = view.g.output_count - view.g.taken_count; o < view.g.output_count; ++o) {
+      const int shared = view.shared_output(o);
+      if (shared == to.output_count) {
+        to.outputs[to.output_count++] = {
+            .call = view.shared_call(view.g.outputs[o].call), .port = view.g.outputs[o].port, .is_taken = true};
+        ++to.taken_count;
+      }
+      to.outputs[shared].modes |= bit_of(mode);
+    }
+  }
+
   // How a sample is stored is the same in all modes: as in the one that needs most.
   constexpr void join_samples(int mode) {
     const auto view = view_of(mode);
@@ -294,6 +307,7 @@ struct sharing {
       add_mode(m);
     }
     if (to.found.is_broken()) return;
+    for (int m = 0; m < all.count; ++m) add_taken(m);
     for (int m = 0; m < all.count; ++m) join_samples(m);
     check_nodes();
     if (all.is_checked) return;

@@ -54,6 +54,7 @@ constexpr flat_view find_clocks(flat_view g) {
   }
 
   for (int o = 0; o < g.output_count; ++o) {
+    if (g.outputs[o].is_taken) continue;  // a wire brought it here, from an output of this rate
     const auto& t = g.calls[g.outputs[o].call];
     check<when::clocked_output>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .output = o});
   }

@@ -18,7 +18,7 @@ constexpr flat_view find_rate(flat_view g) {
   if (g.hz == 0) {
     for (int i = 0; i < g.input_count; ++i)
       if (const auto space = port_of(g, g.inputs[i]).space; space && space->hz > g.hz) g.hz = space->hz;
-    for (int o = 0; o < g.output_count; ++o)
+    for (int o = 0; o < g.output_count - g.taken_count; ++o)
       if (const auto space = port_of(g, g.outputs[o]).space; space->hz > g.hz) g.hz = space->hz;
   }
   check<when::known_rate>(g, {});

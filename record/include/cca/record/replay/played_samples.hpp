@@ -104,4 +104,23 @@ struct played_call<recording::replaying<D>, Call> {
   }
 };
 
+// What it took from a queue in this beat.
+template <Deployment D, int Output>
+  requires(has_free_running<D>)
+struct played_taken<recording::replaying<D>, Output> {
+  using graph = recording::replaying<D>;
+
+  template <class Graph>
+  static bool is_told([[maybe_unused]] const beat_context<Graph>& b) {
+    if (!played_call<graph, output_of<graph, Output>.call>::is_now(b.state)) return false;
+    if constexpr (is_probed<Graph>) {
+      using vector = Eigen::Matrix<double, size_of_output<graph, Output>, 1>;
+      const auto& tap = static_cast<typename recording::detail::tap_of<graph>::type&>(*b.state.tap.get());
+      for (const auto& one : tap.played[array_size(Output)].earlier)
+        publish_taken<Graph, Output>(b, Eigen::Map<const vector>(one.coordinates.data()), one.origin);
+    }
+    return true;
+  }
+};
+
 }  // namespace cca::detail

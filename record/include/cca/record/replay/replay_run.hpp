@@ -230,6 +230,9 @@ private:
   }
 
   void feed() {
+    if constexpr (cca::detail::has_free_running<Graph>)
+      for (int o = output_count - cca::detail::counts_of<Graph>.taken_count; o < output_count; ++o)
+        if (is_played(cca::detail::node_of_output<Graph>(o))) this->keep_earlier(o, recorded.data());
     each_node([&]<class C>(int node, C& component) {
       if constexpr (requires { component.forget(); }) {
         component.forget();
@@ -303,7 +306,7 @@ private:
     const auto& output = cca::detail::plan_of<Graph>.outputs[at(o)];
     const auto& call = cca::detail::plan_of<Graph>.calls[at(output.call)];
     result.component = cca::detail::path_of_node<Graph>(call.node);
-    result.port = call.function->outputs[output.port].name;
+    result.port = cca::detail::port_of(call, output).name;
     state_difference("`" + result.component + "." + result.port + "`, beat " + std::to_string(k) +
                      ": recorded " + was + ", replayed " + is);
   }

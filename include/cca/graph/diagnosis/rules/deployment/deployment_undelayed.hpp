@@ -1,5 +1,5 @@
 // deployment.undelayed: what goes from one environment to another is delayed, unless one of them is
-// free-running.
+// free-running. What waits in a queue now is known only where the queue is.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -13,11 +13,28 @@ struct deployment_undelayed {
     const auto& in = g.inputs[f.input];
     return in.delay < 1 && !is_free(g, in.call) && !is_free(g, g.outputs[f.output].call);
   }
+  static constexpr bool is_broken(when::queue_shown_elsewhere, const flat_view&, const finding&) {
+    return true;
+  }
 
   static constexpr void tell(auto& m) {
     const auto& in = m.g.inputs[m.found().input];
     const auto& out = m.g.outputs[m.found().output];
     const auto environment_of = [&](int call) { return m.g.nodes[m.g.calls[call].node].environment; };
+    if (in.shows >= 0 && environment_of(m.g.inputs[in.shows].call) != environment_of(in.call)) {
+      m.at_node();
+      m.node();
+      m.say() << " observes `" << port_of(m.g, in).name << "`, and so the input ";
+      m.port(m.g.inputs[in.shows]);
+      m.of_mode();
+      m.say() << " in ";
+      m.environment(environment_of(m.g.inputs[in.shows].call));
+      m.say() << ", but what waits in its queue now is known only there: write cca::observe<`"
+              << port_of(m.g, in).name
+              << "`, cca::delayed<1>>, or a greater delay, to hear what is taken from the queue, or place both "
+                 "in one environment";
+      return;
+    }
     const bool is_wire = bool(port_of(m.g, in).space);
     if (is_wire) {
       m.at_wire();
