@@ -1,4 +1,4 @@
-// Rules about patterns: observe.nothing, observe.bad_policy, observe.queue, plan.unknown_path.
+// Rules about patterns: observe.nothing, observe.bad_policy, plan.unknown_path.
 #include <array>
 
 #include <cca/adaptive/sequencer.hpp>
@@ -121,19 +121,24 @@ static_assert(tells<rejecting<cca::timed<2>>, rejecting<cca::timed<1>>>(
      "them is full sooner or later, which cca::reject forbids: read faster, or say what is lost: "
      "cca::drop_oldest or cca::drop_newest"}));
 
-// ---- observe.queue ----
+// ---- inputs with a queue ----
 
 template <cca::fixed_string Pattern, class... Policy>
 struct beside_queue : khz<cca::node<"source", source<>>,
                           cca::node<"step", step<>, cca::timed<1>>,
-                          cca::wire<"source.y", "step.x", two>,
+                          cca::wire<"source.y", "step.x", cca::delayed<1>, two>,
                           cca::node<"log", log<Pattern, Policy...>>> {};
-static_assert(cca::well_formed<beside_queue<"**">>);
-static_assert(tells<beside_queue<"step.**", cca::delayed<1>>, beside_queue<"step.**.*", cca::delayed<1>>>(
-    {"observe.queue", "log",
-     "`log` (log<step.**, cca::delayed<1>>) observes `step.**`, and so the input `step.x` later than it is "
-     "read, but that has a queue, and what waits in a queue is gone once it was read: observe the outputs "
-     "alone, with `step.**.*`, or observe it without a delay, in the same environment"}));
+static_assert(cca::well_formed<beside_queue<"**">> && cca::well_formed<beside_queue<"**", cca::delayed<1>>>);
+static_assert(cca::detail::counts_of<beside_queue<"**">>.taken_count == 0);  // they cost what they did
+static_assert(cca::detail::counts_of<beside_queue<"step.*", cca::delayed<1>>>.taken_count == 0);
+static_assert(cca::detail::counts_of<beside_queue<"step.**", cca::delayed<1>>>.taken_count == 1);
+
+template <class Graph>
+struct log_elsewhere : cca::deployment<Graph,
+                                       cca::environment<"step", cca::nodes<"step">>,
+                                       cca::environment<"log", cca::other_nodes>> {};
+static_assert(cca::well_formed<log_elsewhere<beside_queue<"step.x.**", cca::delayed<1>>>>);
+static_assert(cca::diagnosis<log_elsewhere<beside_queue<"step.x.**">>>.rule == "deployment.undelayed");
 
 // ---- plan.unknown_path ----
 

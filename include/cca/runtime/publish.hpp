@@ -47,7 +47,8 @@ void play_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_
 template <class Graph, int Call, int Position>
 inline constexpr int output_of_taken = [] {
   if (!call_of<Graph, Call>.tells_taken) return -1;
-  for (int o = counts_of<Graph>.output_count - counts_of<Graph>.taken_count; o < counts_of<Graph>.output_count; ++o)
+  for (int o = counts_of<Graph>.output_count - counts_of<Graph>.taken_count;
+       o < counts_of<Graph>.output_count; ++o)
     if (const auto& out = plan_of<Graph>.outputs[array_size(o)]; out.call == Call && out.port == Position)
       return o;
   return -1;

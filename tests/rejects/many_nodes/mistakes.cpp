@@ -23,7 +23,6 @@
 // EXPECT wire_unconnected_input: wire\.unconnected_input: `extra\.b` is not connected: in wire_unconnected_input, wire an output of signal \(number over x\) to `extra\.b`, or expose it,
 // EXPECT observe_bad_policy: observe\.bad_policy: cca::observe<`n7\.y`> in observe_bad_policy is cca::merged, but what it hears may be of several spaces, and each has a queue of its own
 // EXPECT observe_nothing: observe\.nothing: `extra` \(listens_to<n7\.\*\.\*>\) observes `n7\.\*\.\*`, which names nothing in observe_nothing or in a graph around it, so it would hear nothing
-// EXPECT observe_queue: observe\.queue: `late` \(listens_to<extra\.\*\*, .*delayed<1>>\) observes `extra\.\*\*`, and so the input `extra\.x` later than it is read, but that has a queue
 // EXPECT plan_unknown_path: plan\.unknown_path: `extra` \(asks_for_path\) asks for `n7\.z`, which nobody publishes under what it observes \(`n7\.\*`\), so it would wait for ever; did you mean `n7\.y`
 // EXPECT rate_missing: rate\.missing: neither rate_missing nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph
 // EXPECT strategy_never_fires: strategy\.never_fires: `extra` \(listener\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
@@ -154,10 +153,6 @@ struct wire_unknown_port : fifty_nodes_and<at_1000_hz,
                                            cca::wire<"n8.out", "extra.b">> {};
 struct observe_bad_policy : fifty_nodes_and<at_1000_hz, cca::observe<"n7.y", cca::merged<4>>> {};
 struct observe_nothing : fifty_nodes_and<at_1000_hz, cca::node<"extra", listens_to<"n7.*.*">>> {};
-struct observe_queue : fifty_nodes_and<at_1000_hz,
-                                       cca::node<"extra", sink>,
-                                       cca::node<"late", listens_to<"extra.**", cca::delayed<1>>>,
-                                       cca::wire<"n7.y", "extra.x", cca::queue<4, cca::drop_oldest>>> {};
 struct plan_unknown_path : fifty_nodes_and<at_1000_hz, cca::node<"extra", asks_for_path>> {};
 struct wire_direction : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"extra.x", "n7.y">> {
 };

@@ -237,12 +237,11 @@ TEST_SUITE("scopes") {
   }
 
   TEST_CASE("of merged wires each sample is heard that was taken; an empty queue tells nothing new") {
-    struct sums
-        : cca::graph<cca::rate<1000>, cca::node<"a", joints, cca::timed<4>>,
-                     cca::node<"b", joints, cca::timed<4, 2>>, cca::node<"r", plus, cca::timed<1>>,
-                     cca::node<"log", ear<cca::observe<"r.x.**", cca::delayed<1>>>, cca::timed<1>>,
-                     cca::wire<"a.angles", "r.x", cca::merged<2>, cca::initial<0.5>>,
-                     cca::wire<"b.angles", "r.x", cca::merged<2>, cca::delayed<2>>> {};
+    struct sums : cca::graph<cca::rate<1000>, cca::node<"a", joints, cca::timed<4>>,
+                             cca::node<"b", joints, cca::timed<4, 2>>, cca::node<"r", plus, cca::timed<1>>,
+                             cca::node<"log", ear<cca::observe<"r.x.**", cca::delayed<1>>>, cca::timed<1>>,
+                             cca::wire<"a.angles", "r.x", cca::merged<2>, cca::initial<0.5>>,
+                             cca::wire<"b.angles", "r.x", cca::merged<2>, cca::delayed<2>>> {};
     auto c = started<sums>();
     for (int k = 0; k < 7; ++k) c.step();
     // Beat 4: what `b` published in beat 2 arrives first; what `a` publishes is taken in beat 5.

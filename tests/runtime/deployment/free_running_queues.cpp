@@ -43,7 +43,9 @@ void check_same(F plays) {
 struct two_free
     : cca::deployment<architecture,
                       cca::environment<"robot", cca::nodes<"robot">>,
-                      cca::environment<"inside", cca::nodes<"inside", "counts", "pauses", "hears_freely">, cca::free_running>,
+                      cca::environment<"inside",
+                                       cca::nodes<"inside", "counts", "pauses", "hears_freely">,
+                                       cca::free_running>,
                       cca::environment<"eyes", cca::nodes<"eyes">, cca::free_running>,
                       cca::environment<"mind", cca::nodes<"mind", "merged", "witness", "first", "echo">>,
                       cca::environment<"rest", cca::other_nodes>> {};

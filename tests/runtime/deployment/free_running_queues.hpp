@@ -78,8 +78,8 @@ struct hears {
   double hash = 0;
   auto process(Heard all, cca::beat) -> cca::out<"y", number> {
     for (const auto& one : all)
-      hash = std::fmod(1.19 * hash + one.values[0] + (one.fresh ? 0.5 : 0) + 1e-9 * static_cast<double>(one.origin),
-                       1e6);
+      hash = std::fmod(
+          1.19 * hash + one.values[0] + (one.fresh ? 0.5 : 0) + 1e-9 * static_cast<double>(one.origin), 1e6);
     return hash;
   }
 };

@@ -42,8 +42,11 @@ struct mind
                  cca::node<"queue",
                            ear<cca::observe<"*.counter.y", cca::delayed<1>, cca::queue<2, cca::drop_newest>>>,
                            cca::timed<5>>> {};
-struct whole
-    : cca::graph<cca::rate<1000>, cca::node<"mind", mind>, cca::node<"arm", arm>, cca::observe<"arm.**">, cca::observe<"arm.slow.**", cca::delayed<3>>> {};
+struct whole : cca::graph<cca::rate<1000>,
+                          cca::node<"mind", mind>,
+                          cca::node<"arm", arm>,
+                          cca::observe<"arm.**">,
+                          cca::observe<"arm.slow.**", cca::delayed<3>>> {};
 struct split : cca::deployment<whole,
                                cca::environment<"body", cca::nodes<"arm.counter">>,
                                cca::environment<"sums", cca::nodes<"arm.sum">>,

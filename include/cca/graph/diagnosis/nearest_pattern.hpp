@@ -42,7 +42,8 @@ struct pattern_repair {
         if (item.kind == item_kind::node || item.kind == item_kind::graph) try_name(begin, end, item.from);
         if (item.kind == item_kind::expose) try_name(begin, end, item.to);
       }
-    for (int o = 0; o < g.output_count - g.taken_count; ++o) try_name(begin, end, port_of(g, g.outputs[o]).name);
+    for (int o = 0; o < g.output_count - g.taken_count; ++o)
+      try_name(begin, end, port_of(g, g.outputs[o]).name);
   }
 
   constexpr void run() {

@@ -153,9 +153,9 @@ struct flat_view {
   int scope_count = 0, node_count = 0, call_count = 0, link_count = 0, queue_count = 0;
   int output_count = 0;  // of ports, then of what is taken from queues
   int taken_count = 0;   // the last
-  int input_count = 0;  // of ports, then of further ways into them, then one for each link
-  int first_link = 0;   // the first of the last
-  int order_count = 0;  // calls in a beat
+  int input_count = 0;   // of ports, then of further ways into them, then one for each link
+  int first_link = 0;    // the first of the last
+  int order_count = 0;   // calls in a beat
   const environment_info* environments = nullptr;
   int environment_count = 0;
   const modes_info* modes = nullptr;

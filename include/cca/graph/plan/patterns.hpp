@@ -291,7 +291,8 @@ constexpr int for_each_named(
   const pattern whole(text);
   words_of_path path;
   for (int s = scope; s >= 0; s = g.scopes[s].parent)
-    if (const int count = pattern_search{g, names, whole, s, observer, path}.for_each(f); count > 0) return count;
+    if (const int count = pattern_search{g, names, whole, s, observer, path}.for_each(f); count > 0)
+      return count;
   return 0;
 }
 

@@ -145,12 +145,10 @@ struct mode_switch {
       for (int p = 0; p < parts_kept<M>; ++p)
         if (!has_mode(plan_of<M>.parts[array_size(p)].modes, last)) come(p, k);
     for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
-      if (!has_mode(modes_with_output<M, I>(Output), last))
-        begin_anew<Output>(k);
+      if (!has_mode(modes_with_output<M, I>(Output), last)) begin_anew<Output>(k);
     });
     for_each<counts.output_count, passing_to_others<M, I>>([&]<int Output>() {
-      if (!has_mode(modes_with_output<M, I>(Output), last))
-        note_coming<Output>(state, k);
+      if (!has_mode(modes_with_output<M, I>(Output), last)) note_coming<Output>(state, k);
     });
     for_each<counts.input_count, passing_queue<M, I>>([&]<int Input>() {
       constexpr int queue = queues_of_mode<M, I>.queues[array_size(Input)];

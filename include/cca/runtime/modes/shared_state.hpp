@@ -123,8 +123,7 @@ inline constexpr auto frame_layout_of<Mode> = [] {
     frame.origin[o] = whole.origin[shared];
     frame.at[o] = whole.at[shared];
     frame.size[o] = whole.size[shared];
-    frame.in_each_beat[o] =
-        published(call, plan.outputs[o]).every_beat() && !may_be_cut<Mode>;
+    frame.in_each_beat[o] = published(call, plan.outputs[o]).every_beat() && !may_be_cut<Mode>;
   }
   return frame;
 }();

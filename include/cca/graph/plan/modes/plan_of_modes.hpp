@@ -242,7 +242,8 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
 template <class M, int I>
 inline constexpr graph_sizes graph_size<mode_part<M, I>> = graph_size<typename mode_part<M, I>::graph>;
 template <class M, int I>
-inline constexpr heard_count heard_count_of<mode_part<M, I>> = heard_count_of<typename mode_part<M, I>::graph>;
+inline constexpr heard_count heard_count_of<mode_part<M, I>> =
+    heard_count_of<typename mode_part<M, I>::graph>;
 template <class M, int I>
 inline constexpr int calls_in_part<mode_part<M, I>> = calls_in_part<typename mode_part<M, I>::graph>;
 

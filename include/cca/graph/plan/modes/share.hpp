@@ -128,8 +128,9 @@ struct sharing {
     for (int o = view.g.output_count - view.g.taken_count; o < view.g.output_count; ++o) {
       const int shared = view.shared_output(o);
       if (shared == to.output_count) {
-        to.outputs[to.output_count++] = {
-            .call = view.shared_call(view.g.outputs[o].call), .port = view.g.outputs[o].port, .is_taken = true};
+        to.outputs[to.output_count++] = {.call = view.shared_call(view.g.outputs[o].call),
+                                         .port = view.g.outputs[o].port,
+                                         .is_taken = true};
         ++to.taken_count;
       }
       to.outputs[shared].modes |= bit_of(mode);

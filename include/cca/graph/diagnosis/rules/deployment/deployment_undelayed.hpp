@@ -29,10 +29,11 @@ struct deployment_undelayed {
       m.of_mode();
       m.say() << " in ";
       m.environment(environment_of(m.g.inputs[in.shows].call));
-      m.say() << ", but what waits in its queue now is known only there: write cca::observe<`"
-              << port_of(m.g, in).name
-              << "`, cca::delayed<1>>, or a greater delay, to hear what is taken from the queue, or place both "
-                 "in one environment";
+      m.say()
+          << ", but what waits in its queue now is known only there: write cca::observe<`"
+          << port_of(m.g, in).name
+          << "`, cca::delayed<1>>, or a greater delay, to hear what is taken from the queue, or place both "
+             "in one environment";
       return;
     }
     const bool is_wire = bool(port_of(m.g, in).space);
