@@ -46,6 +46,13 @@ struct playing_tap : cca::detail::beat_tap<replaying<Graph>> {
     const auto* const from = reinterpret_cast<const double*>(frame + layout.at[at]);
     played[at].earlier.push_back({o, origin, {from, from + layout.size[at]}});
   }
+  // What components that are played have taken from their queues.
+  template <class F>
+  void keep_taken(const std::int64_t* frame, F is_played) {
+    constexpr int all = cca::detail::counts_of<Graph>.output_count;
+    for (int o = all - cca::detail::counts_of<Graph>.taken_count; o < all; ++o)
+      if (is_played(cca::detail::node_of_output<Graph>(o))) keep_earlier(o, frame);
+  }
   void miss(int o, std::int64_t samples) {
     if (takes_several(o)) played[cca::detail::array_size(o)].missing += samples;
   }

@@ -230,9 +230,7 @@ private:
   }
 
   void feed() {
-    if constexpr (cca::detail::has_free_running<Graph>)
-      for (int o = output_count - cca::detail::counts_of<Graph>.taken_count; o < output_count; ++o)
-        if (is_played(cca::detail::node_of_output<Graph>(o))) this->keep_earlier(o, recorded.data());
+    this->keep_taken(recorded.data(), [this](int node) { return is_played(node); });
     each_node([&]<class C>(int node, C& component) {
       if constexpr (requires { component.forget(); }) {
         component.forget();
