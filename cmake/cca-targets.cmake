@@ -1,6 +1,8 @@
-# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds and cca::record. All of them are headers only.
+# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds and cca::record. All of them are headers only,
+# but main and sim also link a small library, built once for a project: cca-compiled.cmake.
 
 include(GNUInstallDirs)
+include(${CMAKE_CURRENT_LIST_DIR}/cca-compiled.cmake)
 
 # cca_add_headers(<name> <root>: the folder that users include from; FILES...)
 # Makes the target cca::<name>. Its headers are installed; the target all_verify_interface_header_sets compiles each alone.
@@ -68,6 +70,7 @@ if("main" IN_LIST CCA_COMPONENTS)
   find_package(Threads REQUIRED)
   cca_add_headers(main ${include} ${main_headers})
   target_link_libraries(cca_main INTERFACE cca cca_config CLI11::CLI11 Threads::Threads)
+  cca_compile_once(main cca_main ${PROJECT_SOURCE_DIR}/source)
 endif()
 
 if("robots" IN_LIST CCA_TARGETS)
@@ -84,6 +87,7 @@ if("sim" IN_LIST CCA_COMPONENTS)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
   cca_add_headers(sim ${include} ${headers})
   target_link_libraries(cca_sim INTERFACE cca cca_robots ODE::ODE)
+  cca_compile_once(sim cca_sim ${PROJECT_SOURCE_DIR}/source)
 endif()
 
 if("hardware" IN_LIST CCA_COMPONENTS)
@@ -119,3 +123,13 @@ if("record" IN_LIST CCA_COMPONENTS)
     "$<BUILD_INTERFACE:CCA_RECORDING_PAGE=\"${PROJECT_SOURCE_DIR}/page/recording.html\">"
     "$<INSTALL_INTERFACE:CCA_RECORDING_PAGE=\"$<INSTALL_PREFIX>/${CMAKE_INSTALL_DATADIR}/cca/recording.html\">")
 endif()
+
+foreach(component cca main sim record)
+  if(component IN_LIST CCA_TARGETS)
+    set(target cca)
+    if(NOT component STREQUAL "cca")
+      set(target cca_${component})
+    endif()
+    cca_for_edits(${component} ${target})
+  endif()
+endforeach()

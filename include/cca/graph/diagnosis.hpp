@@ -57,7 +57,7 @@ consteval Report make_report() {
   if constexpr (has_plan<Type>) {
     constexpr auto number = number_of_rule(broken_by<Type>(), rules{});
     using rule = std::remove_pointer_t<std::tuple_element_t<number, decltype(as_tuple(rules{}))>>;
-    auto plan = plan_of<Type>;
+    const auto& plan = plan_of<Type>;
     Writer m{plan.view()};
     m.say() << rule::id << ": ";
     rule::tell(m);

@@ -110,13 +110,13 @@ private:
     if (state_of_all.is_observed()) advance_observed();
     else advance_unseen();
   }
-  [[gnu::flatten]] void advance() noexcept
+  CCA_BEAT void advance() noexcept
     requires(!detail::Recordable<Graph>)
   {
     run_beat<Graph>();
   }
-  [[gnu::noinline, gnu::flatten]] void advance_unseen() noexcept { run_beat<Graph>(); }
-  [[gnu::noinline, gnu::flatten]] void advance_observed() noexcept { run_beat<detail::probed<Graph>>(); }
+  [[gnu::noinline]] CCA_BEAT void advance_unseen() noexcept { run_beat<Graph>(); }
+  [[gnu::noinline]] CCA_BEAT void advance_observed() noexcept { run_beat<detail::probed<Graph>>(); }
 
   template <class Key>
   CCA_INLINE void run_beat() noexcept {

@@ -9,7 +9,7 @@ namespace cca::detail {
 template <class Graph>
 struct is_kept_by_clock {
   static constexpr bool holds(std::size_t o) {
-    auto plan = plan_of<Graph>;
+    const auto& plan = plan_of<Graph>;
     const auto& out = plan.outputs[o];
     const bool is_kept =
         out.storage == storage_kind::past || (out.storage == storage_kind::newest && !out.by_clock);

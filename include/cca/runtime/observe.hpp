@@ -124,7 +124,7 @@ constexpr written_path written(const text& path) {
 // The path of a port from the outermost graph, by its own name or as a graph exposes it.
 template <class Graph, class Port>
 constexpr written_path path_of_port(const Port& port, ref<item_info> as) {
-  auto plan = plan_of<Graph>;
+  const auto& plan = plan_of<Graph>;
   const flat_view g = plan.view();
   text path;
   add_path(path, path_from(g, name_as(g, port, as), 0));
@@ -138,7 +138,7 @@ inline constexpr written_path path_of_link = [] {
 }();
 template <class Graph, int Scope>
 inline constexpr written_path path_of_scope = [] {
-  auto plan = plan_of<Graph>;
+  const auto& plan = plan_of<Graph>;
   text path;
   add_scope_path(path, plan.view(), Scope);
   if (path.size > 0) --path.size;  // a dot

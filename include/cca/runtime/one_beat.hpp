@@ -84,9 +84,9 @@ struct long_beat<Graph, std::integer_sequence<int, Part...>> {
 
 private:
   template <int First>
-  [[gnu::noinline, gnu::flatten]] static void run_part(controller_state<Graph>& state,
-                                                       beat_outcome& outcome,
-                                                       std::int64_t k) noexcept {
+  [[gnu::noinline]] CCA_BEAT static void run_part(controller_state<Graph>& state,
+                                                  beat_outcome& outcome,
+                                                  std::int64_t k) noexcept {
     constexpr int left = counts_of<Graph>.order_count - First;
     part_of_beat<Graph, First, std::min(calls_in_part<Graph>, left)>::run(state, outcome, k);
   }

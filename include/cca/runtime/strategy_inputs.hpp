@@ -27,7 +27,7 @@ CCA_INLINE beat beat_of(std::int64_t k, const last_firing& self) {
 template <class Graph, int Node>
 consteval auto path_of_node() {
   constexpr text path = [] {
-    auto plan = plan_of<Graph>;
+    const auto& plan = plan_of<Graph>;
     text t;
     add_node_path(t, plan.view(), Node);
     return t;

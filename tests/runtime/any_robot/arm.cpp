@@ -10,6 +10,7 @@
 #include <cca/robot/body_components.hpp>
 #include <cca/robot/limiter.hpp>
 #include <cca/robots/arm/description.hpp>
+#include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/sim/robot.hpp>
 
 namespace arm = cca::robots::arm;

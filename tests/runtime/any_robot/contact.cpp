@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cca/robots/arm/description.hpp>
+#include <cca/robot/body_dynamics.hpp>
+#include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/sim/robot/robot_world.hpp>
 
 namespace arm = cca::robots::arm;

@@ -6,6 +6,7 @@
 #include <cca/cca.hpp>
 #include <cca/robot/limiter.hpp>
 #include <cca/robots/description.hpp>
+#include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/sim/robot.hpp>
 
 namespace laws {

@@ -12,9 +12,13 @@
 
 #include <doctest/doctest.h>
 
+#include <ode/ode.h>
+
 #include <cca/cca.hpp>
 #include <cca/robots/arm/description.hpp>
+#include <cca/sim/engine.hpp>
 #include <cca/sim/robot.hpp>
+#include <cca/sim/robot/forces/gyroscopic.hpp>
 
 #include "../../laws/stable_robot_laws.hpp"
 

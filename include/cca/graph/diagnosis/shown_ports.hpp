@@ -76,7 +76,7 @@ constexpr void tell_unknown_output(text& said, const flat_view& g, std::string_v
 template <class Graph>
 consteval shown_ports find_shown_ports() {
   using axes = axes_facts<typename Graph::cca_shown_body::axes>;
-  auto plan = plan_of<Graph>;
+  const auto& plan = plan_of<Graph>;
   const flat_view g = plan.view();
   shown_ports shown;
   shown.angles = output_named(g, Graph::cca_shown_angles);

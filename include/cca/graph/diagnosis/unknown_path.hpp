@@ -19,7 +19,7 @@ struct path_report {
 // path from the outermost graph, and the nearest one that exists.
 template <class Graph>
 consteval path_report unknown_path(std::uint64_t within, std::string_view path) {
-  auto plan = plan_of<Graph>;
+  const auto& plan = plan_of<Graph>;
   const flat_view g = plan.view();
   text wrong;
   for (int s = 1; within != 0 && s < counts_of<Graph>.scope_count; ++s)

@@ -306,7 +306,7 @@ template <class Graph>
 inline constexpr auto layout_of = [] {
   constexpr auto& size = graph_size<Graph>;
   layout<size.nodes, size.calls, input_count_of<Graph>, output_room_of<Graph>> result;
-  auto plan = plan_of<Graph>;
+  const auto& plan = plan_of<Graph>;
   const auto view = plan.view();
   layout_step<decltype(result)>{view, result}.run();
   return result;

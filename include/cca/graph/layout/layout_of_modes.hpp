@@ -25,7 +25,7 @@ inline constexpr auto layout_of<Mode> = [] {
   using M = set_of_key<Mode>;
   constexpr auto& size = graph_size<Mode>;
   layout<size.nodes, size.calls, input_count_of<Mode>, output_room_of<Mode>> result;
-  auto plan = plan_of<Mode>;
+  const auto& plan = plan_of<Mode>;
   const auto g = plan.view();
   layout_step<decltype(result)>{g, result}.run();
 

@@ -192,6 +192,9 @@ struct flat {
     v.requests = requests.data();
     return v;
   }
+  // Of a finished plan. Whoever has this view must not write; a copy to point into would be made again for
+  // each question, of thousands of numbers.
+  constexpr flat_view view() const { return const_cast<flat*>(this)->view(); }
   // The same with more room.
   template <class Wider>
   constexpr void widen(Wider& to) const {

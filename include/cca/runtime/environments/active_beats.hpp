@@ -67,7 +67,7 @@ inline constexpr auto environment_clocks<D, E> = [] {
 template <class D, int E>
 inline constexpr auto entry_clocks = [] {
   clocks_of_environment<D> clocks;
-  auto plan = plan_of<D>;
+  const auto& plan = plan_of<D>;
   const auto g = plan.view();
   for (int i = 0; i < g.input_count; ++i) {
     const input& in = g.inputs[i];

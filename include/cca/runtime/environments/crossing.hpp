@@ -31,7 +31,7 @@ struct crossings {
 template <class D>
 inline constexpr auto crossings_of = [] {
   crossings<D> found;
-  auto plan = plan_of<D>;
+  const auto& plan = plan_of<D>;
   const flat_view g = plan.view();
   for (int o = 0; o < g.output_count; ++o) {
     const int from = environment_of(g, g.outputs[o].call);
@@ -120,7 +120,7 @@ inline constexpr int largest_delay_of = [] {
 template <class D, int E>
 struct leaves_by_clock {
   static constexpr bool holds(std::size_t o) {
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     return plan_of<part<D, E>>.outputs[o].leaves && environment_of(plan.view(), plan.outputs[o].call) == E &&
            published(plan.view(), plan.outputs[o]).known();
   }
@@ -134,7 +134,7 @@ inline constexpr bool samples_tell = [] {
   if constexpr (DeploymentOfModes<D> || DeployedMode<D>) {
     return false;  // another mode may lack the component
   } else {
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     const flat_view g = plan.view();
     return !counts_of<part<D, E>>.may_fault && !asks_for_parts<D>(E) &&
            ((is_request<D>(Output) || environment_of(g, g.outputs[Output].call) != E ||
@@ -146,7 +146,7 @@ inline constexpr bool samples_tell = [] {
 template <class D, int Output>
 inline constexpr bool is_of_free_running = [] {
   if constexpr (is_request<D>(Output) || DeploymentOfModes<D> || DeployedMode<D>) return false;
-  auto plan = plan_of<D>;
+  const auto& plan = plan_of<D>;
   return environments_of<D>::all[array_size(environment_of(plan.view(), plan.outputs[Output].call))]
       .is_free_running;
 }();
@@ -219,7 +219,7 @@ constexpr bool may_reject_entries(const Plan& plan, int i) {
 template <class D, int Output>
 inline constexpr int most_waiting = [] {
   if (is_request<D>(Output)) return 0;
-  auto plan = plan_of<D>;
+  const auto& plan = plan_of<D>;
   const flat_view g = plan.view();
   int most = 0;
   for (int i = g.outputs[Output].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
@@ -244,7 +244,7 @@ inline constexpr int most_waiting<D, Output> = [] {
 template <class D>
 struct keeps_first {
   static constexpr bool holds(std::size_t i) {
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     const flat_view g = plan.view();
     const input& in = g.inputs[i];
     return is_queued(in) && in.writer >= 0 && in.wire->full == full_kind::drop_newest &&
@@ -282,7 +282,7 @@ inline constexpr bool samples_show_progress = [] {
   if constexpr (DeploymentOfModes<D> || DeployedMode<D>) return false;
   else
     return []<int... Output>(std::integer_sequence<int, Output...>) {
-      auto plan = plan_of<D>;
+      const auto& plan = plan_of<D>;
       const flat_view g = plan.view();
       const int delay = crossings_of<D>.least_delay[From][To];
       [[maybe_unused]] const auto shows = [&](const output& from) {

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
@@ -230,27 +229,28 @@ private:
         const auto after_beat = [&] {
           last_seen = k = first.k;
           take_changes_at_rest();
-          look_after<E>(between);
+          look_after(E, between);
           return detail::goes_on_after(between, *this);
         };
         run_environments<E>(first, terms, pace, between, after_beat, idle_beats, before);
       });
     }
-    loops.for_each([&]<int E>(auto&) {
-      if (here[E]) look_after<E>(between);
-    });
+    for (int e = 0; e < detail::environment_count<D>; ++e)
+      if (here[detail::array_size(e)]) look_after(e, between);
     if (now == cca::state::faulted && last_seen < k) detail::goes_on_after(between, *this);
     return true;
   }
 
   // In the thread of an environment, after its beat: what looks at each of them (cca::live_access).
-  template <int E, class Between>
-  void look_after([[maybe_unused]] Between& between) {
-    if constexpr (requires { between.template after_beat<E>(*this); }) {
-      looked_at[E] = loops.template at<E>().next_beat();
-      between.template after_beat<E>(*this);
-      looked_at[E] = 0;
-    }
+  template <class Between>
+  void look_after([[maybe_unused]] int environment, [[maybe_unused]] Between& between) {
+    if constexpr (detail::LooksAfterEach<Between, deployed>)
+      loops.for_each([&]<int E>(auto& loop) {
+        if (E != environment) return;
+        looked_at[E] = loop.next_beat();
+        between.template after_beat<E>(*this);
+        looked_at[E] = 0;
+      });
   }
 
   // `first` in this thread, the others in threads of their own.
@@ -262,14 +262,15 @@ private:
                         AfterBeat after_beat,
                         detail::idle_beats& idle_beats,
                         const detail::scheduling_of_caller& before) {
-    const detail::environment_threads<D, Loop> followers(
-        loops, first, [&](int e) { return e != E && here[detail::array_size(e)]; }, terms, idle_beats, before,
-        [this] { idle(); },
-        [this]<int Other>(const std::string& refusal) { refusals.template report<Other>(refusal); },
-        [this, &between]<int Other>() { this->template look_after<Other>(between); });
+    const auto look = [this, &between](int environment) { look_after(environment, between); };
+    detail::function_ref<void(int)> after_beat_of_others;
+    if constexpr (detail::LooksAfterEach<Between, deployed>) after_beat_of_others = look;
+    const detail::environment_threads<D> followers(
+        loops, E, here, terms, idle_beats, before, refusals, [this] { idle(); }, after_beat_of_others);
     if constexpr (E > 0) {
-      if (terms.is_exact) first.follow_exactly(terms.end, after_beat);
-      else first.follow(terms.end, after_beat);
+      const detail::asked_after_beat asked{after_beat};
+      if (terms.is_exact) first.follow_exactly(terms.end, asked);
+      else first.follow(terms.end, asked);
     } else {
       runs.begin(pace, period());
       const detail::obeyed_control<deployed, Pace, Between> obey{*this, runs, pace, between};

@@ -245,13 +245,13 @@ private:
     if (state.is_observed()) run_observed();
     else run_unseen();
   }
-  [[gnu::flatten]] void run_beat() noexcept
+  CCA_BEAT void run_beat() noexcept
     requires(!Recordable<graph> && !DeploymentOfModes<D>)
   {
     run_beat_of<graph>();
   }
-  [[gnu::noinline, gnu::flatten]] void run_unseen() noexcept { run_beat_of<graph>(); }
-  [[gnu::noinline, gnu::flatten]] void run_observed() noexcept { run_beat_of<probed<graph>>(); }
+  [[gnu::noinline]] CCA_BEAT void run_unseen() noexcept { run_beat_of<graph>(); }
+  [[gnu::noinline]] CCA_BEAT void run_observed() noexcept { run_beat_of<probed<graph>>(); }
 
   template <class Key>
   CCA_INLINE void run_beat_of() noexcept {

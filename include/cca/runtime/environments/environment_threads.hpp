@@ -9,11 +9,10 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
-#include <ranges>
 #include <string>
 #include <system_error>
-#include <type_traits>
 
+#include <cca/base/separate/function_ref.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/environment_loops.hpp>
 #include <cca/runtime/environments/meeting.hpp>
@@ -29,58 +28,68 @@ class real_time_refusals {
 public:
   template <int E>
   void report(const std::string& refusal) {
+    report(E, wish_of_environment<D, E>.is_needed, refusal);
+  }
+  void report(int environment, bool is_needed, const std::string& refusal) {
     if (refusal.empty()) return;
-    const std::string text = "cca::deployed: environment `" + std::string(name_of_environment<D>(E)) +
+    const std::string text = "cca::deployed: environment `" +
+                             std::string(name_of_environment<D>(array_size(environment))) +
                              "` does not run in real time: " + refusal;
-    if (wish_of_environment<D, E>.is_needed) throw refused(text);
-    if (!is_told[E]) std::cerr << text << '\n';
-    is_told[E] = true;
+    if (is_needed) throw refused(text);
+    bool& told = is_told[array_size(environment)];
+    if (!told) std::cerr << text << '\n';
+    told = true;
   }
 
 private:
   std::array<bool, array_size(environment_count<D>)> is_told{};
 };
 
-// `First`: the loop of the environment that runs in the thread which makes this.
-template <class D, class First>
+// What the thread of an environment does between two of its beats; false: the run ends.
+struct asked_after_beat {
+  function_ref<bool()> ask{};  // none: nothing
+  bool operator()() const { return !ask || ask(); }
+};
+
+// It takes functions by reference, so that the loops of the other environments are compiled once, and not for
+// each pace and each `between` of a run.
+template <class D>
 class environment_threads {
 public:
-  // `runs(E)`: in a thread, which is scheduled as `scheduling` says: it must not inherit the priority and the
-  // core of this thread. `meanwhile()`: once a period while no beat has begun. report.template
-  // operator()<E>(text): what the system refused to the thread of environment E; it may throw, then nothing
-  // has run. after_beat.template operator()<E>(): in that thread, between two beats.
-  template <class Runs, class Meanwhile, class Report, class AfterBeat>
-  environment_threads(environment_loops<D>& loops,
-                      First& of_this_thread,
-                      Runs runs,
+  // `first`: the environment that runs in the thread which makes this. Each thread is scheduled as
+  // `scheduling` says: it must not inherit the priority and the core of this thread. `meanwhile()`: once a
+  // period while no beat has begun. `refusals` hears what the system refused to a thread; it may throw, then
+  // nothing has run. `after_beat(environment)`, if it is one: in that thread, between two beats.
+  environment_threads(environment_loops<D>& all,
+                      int first,
+                      const environments_here<D>& here,
                       const terms_of_run& terms,
                       idle_beats& while_waiting,
                       const scheduling_of_caller& scheduling,
-                      Meanwhile meanwhile,
-                      Report report,
-                      AfterBeat after_beat)
-      : first(of_this_thread),
+                      real_time_refusals<D>& refusals,
+                      function_ref<void()> meanwhile,
+                      function_ref<void(int)> after_beat)
+      : loops(all),
+        first_here(first),
         idle(while_waiting),
-        not_ready(static_cast<int>(std::ranges::count_if(std::views::iota(0, environment_count<D>), runs))) {
+        not_ready(static_cast<int>(std::ranges::count(here, true)) - 1) {
     try {
       loops.for_each([&]<int E>(auto& loop) {
-        if (!runs(E)) return;
+        if (E == first_here || !here[E]) return;
         threads[E].start(
             [this, &loop, terms, after_beat, own = idle]() mutable {
               const thread_setup setup(wish_of_environment<D, E>);
-              refusals[E] = setup.refusal();
+              refused_to[E] = setup.refusal();
               not_ready.fetch_sub(1, std::memory_order_release);
               begins.wait(false);
-              const auto goes_on = [&] { return after_beat.template operator()<E>(), true; };
-              if (terms.is_exact) loop.follow_exactly(terms.end, goes_on);
-              else loop.follow(terms.end, goes_on);
-              end(loop, own, [this] { return not_over.load(std::memory_order_acquire) == 0; });
+              follow<E>(loop, terms, after_beat);
+              end(loop, own, false, [this] { return not_over.load(std::memory_order_acquire) == 0; });
             },
             &scheduling);
         not_over.fetch_add(1, std::memory_order_relaxed);  // it waits for `begins`, so it has not ended yet
       });
       idle.until([this](patience&) { return not_ready.load(std::memory_order_acquire) == 0; }, meanwhile);
-      loops.for_each([&]<int E>(auto&) { report.template operator()<E>(refusals[E]); });
+      loops.for_each([&]<int E>(auto&) { refusals.template report<E>(refused_to[E]); });
     } catch (const std::system_error& no_thread) {
       release();
       throw refused(std::string("cca::deployed: no thread for an environment: ") + no_thread.what());
@@ -92,7 +101,7 @@ public:
   }
   // Also where `between` or a pace throws.
   ~environment_threads() {
-    if (std::uncaught_exceptions() > exceptions) first.stop();
+    if (std::uncaught_exceptions() > exceptions) stop_first();
     join();
   }
   environment_threads(const environment_threads&) = delete;
@@ -106,32 +115,51 @@ private:
     begins.notify_all();
   }
   void release() {
-    first.stop();
+    stop_first();
     begin();
     join();
   }
+  void stop_first() {
+    loops.for_each([this]<int E>(auto& loop) {
+      if (E == first_here) loop.stop();
+    });
+  }
   void join() {
-    end(first, idle,
-        [this] { return std::ranges::all_of(threads, [](polled_thread& t) { return t.has_ended(); }); });
+    const auto all_have_ended = [this] {
+      return std::ranges::all_of(threads, [](polled_thread& t) { return t.has_ended(); });
+    };
+    loops.for_each([&]<int E>(auto& loop) {
+      if (E == first_here) end(loop, idle, true, all_have_ended);
+    });
+  }
+
+  template <int E, class Loop>
+  static void follow(Loop& loop, const terms_of_run& terms, function_ref<void(int)> after_beat) {
+    const auto goes_on = [&] { return after_beat(E), true; };
+    asked_after_beat asked;
+    if (after_beat) asked.ask = goes_on;
+    if (terms.is_exact) loop.follow_exactly(terms.end, asked);
+    else loop.follow(terms.end, asked);
   }
 
   // The beats of a loop are over.
-  template <class Loop, class IsOver>
-  void end(Loop& loop, idle_beats& own, IsOver is_over) {
+  template <class Loop>
+  void end(Loop& loop, idle_beats& own, bool is_first, function_ref<bool()> is_over) {
     loop.handle_fault();
     loop.tell_end();
     own.begin(loop.last_active());
     not_over.fetch_sub(1, std::memory_order_release);
-    if constexpr (Loop::has_hooks_of_resources || std::is_same_v<Loop, First>)
+    if (Loop::has_hooks_of_resources || is_first)
       own.until([&](patience&) { return is_over(); }, [&] { loop.idle(); });
   }
 
-  First& first;
+  environment_loops<D>& loops;
+  int first_here;
   idle_beats& idle;
   int exceptions = std::uncaught_exceptions();
   std::atomic<int> not_ready, not_over{1};  // environments; with the first
   std::atomic<bool> begins{false};
-  std::array<std::string, count> refusals{};
+  std::array<std::string, count> refused_to{};
   std::array<polled_thread, count> threads{};
 };
 

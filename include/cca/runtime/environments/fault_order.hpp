@@ -79,7 +79,7 @@ constexpr bool feeds_at_once(const flat_view& g, int from, int to) {
 template <class D, int E>
 inline constexpr auto fault_order_of = [] {
   fault_order<D> order;
-  auto plan = plan_of<D>;
+  const auto& plan = plan_of<D>;
   const auto g = plan.view();
   std::size_t here = 0;
   int entries = 0;

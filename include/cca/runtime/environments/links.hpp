@@ -168,8 +168,8 @@ public:
   template <int Rank>
   CCA_INLINE bool is_done(std::int64_t k) noexcept {
     constexpr auto others_wait = [] {
-      auto plan = plan_of<part<D, E>>;
-      auto whole = plan_of<D>;
+      const auto& plan = plan_of<part<D, E>>;
+      const auto& whole = plan_of<D>;
       const int call = plan.order[array_size(Rank)];
       return std::pair(may_fault_in(plan.view(), plan.calls[array_size(call)]),
                        is_call_read_at_once(whole.view(), call));
@@ -211,7 +211,7 @@ private:
   }
   template <int Rank, int Output>
   static constexpr bool is_taken_at() {
-    auto plan = plan_of<part<D, E>>;
+    const auto& plan = plan_of<part<D, E>>;
     return reads_at_once(plan.view(), plan.order[array_size(Rank)], Output);
   }
   template <int Rank, int Output>
@@ -226,7 +226,7 @@ private:
   }
   template <int Output>
   static constexpr int environment_of_output = [] {
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     return environment_of(plan.view(), plan.outputs[Output].call);
   }();
   static constexpr int least_delay(int from, int to) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include <cca/base/separate/function_ref.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/waiting/idle_beats.hpp>
@@ -36,13 +37,12 @@ public:
 
   // Waits for all environments, at most so long. While anything here waits, `meanwhile()` is called once a
   // period.
-  template <class F, class GoesOn>
   terms_of_run agree(const terms_of_run& wanted,
                      std::int64_t beats,
                      std::int64_t longest,
                      idle_beats& idle,
-                     F meanwhile,
-                     GoesOn goes_on) {
+                     function_ref<void()> meanwhile,
+                     function_ref<bool()> goes_on) {
     terms_of_run agreed;
     for (bool is_newest = false; !is_newest;) {
       for_each_here([&](auto& own) {
@@ -104,8 +104,7 @@ public:
   // Everybody is prepared for a run that begins with this beat: from here on they look at each other's
   // positions. Waits at most so long for a process that stands still since it has called `run`. If that goes
   // on later, its run ends before its first beat.
-  template <class F>
-  void begin(std::int64_t beat, std::int64_t longest, idle_beats& idle, F meanwhile) {
+  void begin(std::int64_t beat, std::int64_t longest, idle_beats& idle, function_ref<void()> meanwhile) {
     for_each_here([&](auto& own) { own.ready.store(run, std::memory_order_release); });
     wait(&record::ready, idle, meanwhile, [&](std::size_t missing, std::int64_t waited) {
       if (waited < longest) return is_with_us(missing);
@@ -122,8 +121,7 @@ public:
   }
 
   // Nobody looks any more. The beat with which they go on.
-  template <class F>
-  std::int64_t end(std::int64_t beat, idle_beats& idle, F meanwhile) {
+  std::int64_t end(std::int64_t beat, idle_beats& idle, function_ref<void()> meanwhile) {
     for_each_here([&](auto& own) {
       own.beat = beat;
       own.finished.store(run, std::memory_order_release);
@@ -168,8 +166,10 @@ private:
 
   // Waits until each environment is at this run. Ends early if waits(missing, ns), called now and then,
   // returns false.
-  template <class Meanwhile, class F>
-  void wait(std::atomic<std::int64_t> record::* at, idle_beats& idle, Meanwhile meanwhile, F waits) {
+  void wait(std::atomic<std::int64_t> record::* at,
+            idle_beats& idle,
+            function_ref<void()> meanwhile,
+            function_ref<bool(std::size_t, std::int64_t)> waits) {
     const std::int64_t since = monotonic_clock::now();
     for (std::size_t e = 0; e < here.size(); ++e)
       idle.until(

@@ -181,7 +181,7 @@ private:
 
   // `Key`: the mode, or its second beat, which tells a recorder.
   template <int I, class Key>
-  [[gnu::flatten, gnu::noinline]] void advance_in() noexcept {
+  [[gnu::noinline]] CCA_BEAT void advance_in() noexcept {
     detail::beat_outcome outcome;
     if constexpr (detail::is_probed<Key>) state_of_all.template begin_frame<part<I>>(k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]

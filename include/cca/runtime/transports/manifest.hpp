@@ -47,7 +47,7 @@ inline void write_policy(std::ostream& to, const item_info& wire) {
 
 template <class D>
 std::string manifest_of() {
-  auto plan = plan_of<D>;
+  const auto& plan = plan_of<D>;
   const flat_view g = plan.view();
   std::ostringstream text;
   const auto port = [&](const auto& one) {

@@ -12,6 +12,7 @@
 // loop. Example: tests/runtime/any_robot/arm.cpp; docs/robots.md.
 #pragma once
 
+#include <cca/robot/body_dynamics.hpp>  // not needed here, but by most programs with a simulated robot
 #include <cca/robots/ports.hpp>
 #include <cca/sim/robot/simulated_robot.hpp>
 

@@ -22,7 +22,7 @@ namespace cca::detail {
 template <class D, int E>
 struct leaves_from {
   static constexpr bool holds(std::size_t o) {
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     return crossings_of<D>.largest_delay[o] > 0 && environment_of(plan.view(), plan.outputs[o].call) == E;
   }
 };

@@ -144,7 +144,7 @@ protected:
 private:
   // A function for each mode.
   template <class Key>
-  [[gnu::noinline, gnu::flatten]] void run() noexcept {
+  [[gnu::noinline]] CCA_BEAT void run() noexcept {
     loop().template run_beat_of<Key>();
   }
 

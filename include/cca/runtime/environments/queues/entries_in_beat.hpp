@@ -59,7 +59,7 @@ private:
   // The call reads the queue, or publishes into it.
   template <int Rank, int Input>
   static constexpr bool is_entered_at() {
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     const flat_view g = plan.view();
     const int here = order.rank_in_plan[Rank], call = g.order[here];
     if (g.inputs[Input].call == call) return true;
@@ -82,7 +82,7 @@ private:
   template <int Writer>
   bool enter_rejecting(beat_outcome& outcome, std::int64_t k) noexcept {
     constexpr int from = [] {
-      auto plan = plan_of<D>;
+      const auto& plan = plan_of<D>;
       return environment_of(plan.view(), plan.order[array_size(Writer)]);
     }();
     constexpr int rank = rejecting_entries<D> + Writer;

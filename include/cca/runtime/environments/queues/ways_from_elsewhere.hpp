@@ -207,7 +207,7 @@ template <class D, int E, int Input, int Rank>
 struct leads_at_once {
   static constexpr bool holds(std::size_t way) {
     if (!leads_into<part<D, E>, Input>::holds(way)) return false;
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     const flat_view g = plan.view();
     return crosses_at_once(g, g.inputs[way]) && g.calls[g.outputs[g.inputs[way].writer].call].rank < Rank;
   }
@@ -217,7 +217,7 @@ struct leads_at_once {
 template <class D, int E>
 struct is_entered_at_once {
   static constexpr bool holds(std::size_t i) {
-    auto plan = plan_of<D>;
+    const auto& plan = plan_of<D>;
     const flat_view g = plan.view();
     bool found = false;
     if (is_queued(g.inputs[i]) && g.inputs[i].way_of < 0 && environment_of(g, g.inputs[i].call) == E)

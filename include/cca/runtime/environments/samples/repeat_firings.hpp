@@ -37,8 +37,8 @@ void repeat_firings([[maybe_unused]] State& state, [[maybe_unused]] std::int64_t
 template <class D, int E>
 struct is_kept_by_whole {
   static constexpr bool holds(std::size_t o) {
-    auto whole = plan_of<D>;
-    auto own = plan_of<part<D, E>>;
+    const auto& whole = plan_of<D>;
+    const auto& own = plan_of<part<D, E>>;
     const flat_view g = whole.view();
     const output& out = own.outputs[o];
     return environment_of(g, out.call) == E &&

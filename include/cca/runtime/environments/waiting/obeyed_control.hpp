@@ -19,6 +19,10 @@ bool wants_end([[maybe_unused]] const Between& between) {
   else return false;
 }
 
+// Wants to look at each environment between two of its beats, in its thread.
+template <class Between, class Deployed> concept LooksAfterEach =
+    requires(Between& between, Deployed& all) { between.template after_beat<0>(all); };
+
 template <class Deployed, class Pace, class Between>
 struct obeyed_control {
   Deployed& all;

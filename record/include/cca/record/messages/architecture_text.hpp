@@ -32,7 +32,7 @@ std::string architecture_text() {
 template <class Graph>
 std::string architecture_text() {
   using namespace cca::detail;
-  auto plan = plan_of<Graph>;
+  const auto& plan = plan_of<Graph>;
   const flat_view g = plan.view();
   std::ostringstream text;
   text << g.period << " ns a beat\n";

@@ -1,25 +1,14 @@
-// The state of one body of the engine: position, rotation, velocity and angular velocity; its energy.
-//
-// The engine keeps a rotation both as quaternion and as matrix; both are saved, since computing one from the
-// other would change bits.
+// A body of the engine: saves and restores its state (saved_body.hpp), its mass and its energy.
 #pragma once
 
-#include <array>
 #include <cstring>
 
 #include <ode/ode.h>
 
 #include <cca/base/eigen.hpp>
+#include <cca/sim/robot/world/saved_body.hpp>
 
 namespace cca::sim {
-
-struct body_state {
-  std::array<double, 3> position;
-  std::array<double, 4> quaternion;
-  std::array<double, 12> rotation;  // the engine's 3 x 4 rows
-  std::array<double, 3> velocity;
-  std::array<double, 3> angular_velocity;
-};
 
 inline body_state save_body(dBodyID body) {
   body_state s;

@@ -7,11 +7,27 @@
 #include <numbers>
 #include <vector>
 
+#include <cca/sim/robot/body_state.hpp>
 #include <cca/sim/robot/joint_law.hpp>
 #include <cca/sim/robot/plausible.hpp>
 #include <cca/sim/robot/tree_in_engine.hpp>
 
 namespace cca::sim {
+
+// The motion of one body; adds its kinetic energy to `energy`.
+inline world_trouble look_at_body(
+    dBodyID b, int name, const plausible_bounds& bounds, double step, double& energy) {
+  const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(b)),
+                        w = Eigen::Vector3d::Map(dBodyGetAngularVel(b)),
+                        at = Eigen::Vector3d::Map(dBodyGetPosition(b));
+  const double speed = v.norm(), turning = w.norm(), own = kinetic_energy(b);
+  energy += own;
+  if (!std::isfinite(speed + turning + at.sum() + own)) return {implausible::number, name};
+  if (speed > bounds.speed) return {implausible::speed, name, speed, bounds.speed};
+  if (turning * step > bounds.turn) return {implausible::turning, name, turning, bounds.turn / step};
+  if (energy > bounds.energy) return {implausible::energy, name, energy, bounds.energy};
+  return {};
+}
 
 // The first body that can't be right: the base, the links, the balls.
 inline world_trouble look_at_bodies(const tree_in_engine& tree,

@@ -11,14 +11,12 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <numbers>
 #include <string>
 
-#include <cca/sim/robot/body_state.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 
 namespace cca::sim {
@@ -81,21 +79,6 @@ inline std::string text_of(const world_trouble& t, const robot_model& m) {
     default:
       return of + ": its joint has passed a stop by " + beyond;
   }
-}
-
-// The motion of one body; adds its kinetic energy to `energy`.
-inline world_trouble look_at_body(
-    dBodyID b, int name, const plausible_bounds& bounds, double step, double& energy) {
-  const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(b)),
-                        w = Eigen::Vector3d::Map(dBodyGetAngularVel(b)),
-                        at = Eigen::Vector3d::Map(dBodyGetPosition(b));
-  const double speed = v.norm(), turning = w.norm(), own = kinetic_energy(b);
-  energy += own;
-  if (!std::isfinite(speed + turning + at.sum() + own)) return {implausible::number, name};
-  if (speed > bounds.speed) return {implausible::speed, name, speed, bounds.speed};
-  if (turning * step > bounds.turn) return {implausible::turning, name, turning, bounds.turn / step};
-  if (energy > bounds.energy) return {implausible::energy, name, energy, bounds.energy};
-  return {};
 }
 
 }  // namespace cca::sim

@@ -10,11 +10,11 @@
 
 #include <cca/mapping/placement.hpp>
 #include <cca/robots/inertial.hpp>
-#include <cca/sim/robot/body_state.hpp>
 #include <cca/sim/robot/cable_winch.hpp>
 #include <cca/sim/robot/forces/contact_account.hpp>
 #include <cca/sim/robot/joint_law.hpp>
 #include <cca/sim/robot/plausible.hpp>
+#include <cca/sim/robot/world/saved_body.hpp>
 
 namespace cca::sim {
 

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include <cca/sim/robot/robot_model.hpp>
-#include <cca/sim/robot/touching.hpp>
 
 namespace cca::sim {
 
@@ -27,7 +26,8 @@ struct contact_account {
   double contacts = 0;       // in the last physics step
 
   void begin_step() { pressing = contacts = 0; }
-  void add(const touch& t, double step) {
+  template <class Touch>  // touching.hpp
+  void add(const Touch& t, double step) {
     if (contacts++ == 0) touching += step;
     const double into = std::max(0.0, t.force.dot(t.normal));
     pressing += into;

@@ -10,18 +10,9 @@
 
 #include <cca/mapping/kinematics.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
+#include <cca/sim/robot/world/moving_frame.hpp>
 
 namespace cca::sim {
-
-// A frame that moves, in the world: velocities along the world's axes, of the frame's origin.
-struct moving_frame {
-  rigid where{};
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
-};
-
-inline double sum_of(const moving_frame& f) {
-  return f.where.at.sum() + f.where.turn.sum() + f.velocity.sum() + f.angular_velocity.sum();
-}
 
 // How a body is turned in the world.
 inline Eigen::Matrix3d turn_of(dBodyID b) {
