@@ -3,6 +3,7 @@
 // environments had 16 loops for each pace.
 //
 // What it refers to must live as long. One that refers to nothing is false, and must not be called.
+// at_the_end: the same at the end of a block.
 #pragma once
 
 #include <memory>
@@ -35,6 +36,13 @@ public:
 private:
   void* object = nullptr;
   Result (*call)(void*, Arguments...) = nullptr;
+};
+
+// Calls a function of the block that ends, also where it ends by an exception.
+template <class F>
+struct at_the_end {
+  F last;
+  ~at_the_end() { last(); }
 };
 
 }  // namespace cca::detail

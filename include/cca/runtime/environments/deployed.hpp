@@ -222,7 +222,7 @@ private:
     own_mode::join_mode(terms);
     together.begin(terms.beat, longest_wait, idle_beats, meanwhile);
     {
-      const finished_run all_at_one_beat{*this, together, terms, idle_beats};
+      const detail::at_the_end all_at_one_beat{[&] { finish(together, terms, idle_beats); }};
       changes::begin_run(terms.is_exact);
       loops.for_each([&]<int E>(auto& first) {
         if (E != first_here()) return;
@@ -279,13 +279,6 @@ private:
     }
   }
 
-  struct finished_run {
-    deployed& all;
-    detail::meeting<D>& together;
-    const detail::terms_of_run& terms;
-    detail::idle_beats& idle_beats;
-    ~finished_run() { all.finish(together, terms, idle_beats); }
-  };
   // All environments continue with the same beat.
   void finish(detail::meeting<D>& together,
               const detail::terms_of_run& terms,
