@@ -29,10 +29,6 @@
 #include <cca/base/separate/compiled.hpp>
 #include <cca/main/one_file.hpp>
 
-namespace CLI {
-class App;
-}
-
 namespace cca {
 
 struct command_line_error : std::runtime_error {
@@ -50,6 +46,8 @@ std::uint64_t whole_number_in(const std::string& option,
                               std::uint64_t most = any_whole_number);
 
 namespace detail {
+
+struct option_words;  // of CLI11: command_line_functions.hpp
 
 // A function that puts a value into a variable; or the function that was given.
 template <class Value, class Into>
@@ -146,7 +144,7 @@ private:
                                const std::vector<std::string>& all);
   void describe(std::string_view option, std::string_view help) { listed += line_of(option, help); }
 
-  std::unique_ptr<CLI::App> app;
+  std::unique_ptr<detail::option_words> app;
   std::string purpose, listed;
   std::vector<std::string>* free_words = nullptr;
   std::size_t most_words = 0;

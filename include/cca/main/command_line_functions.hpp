@@ -19,6 +19,11 @@
 #include <cca/main/command_line.hpp>
 
 namespace cca {
+namespace detail {
+
+struct option_words : CLI::App {};
+
+}  // namespace detail
 
 CCA_MAIN_INLINE double number_in(const std::string& option,
                                  const std::string& text,
@@ -53,7 +58,7 @@ CCA_MAIN_INLINE std::uint64_t whole_number_in(const std::string& option,
 }
 
 CCA_MAIN_INLINE command_line::command_line(std::string what_it_does)
-    : app(std::make_unique<CLI::App>()), purpose(std::move(what_it_does)) {
+    : app(std::make_unique<detail::option_words>()), purpose(std::move(what_it_does)) {
   app->set_help_flag();  // cca::run_program answers --help, -h and --version
   app->allow_extras();
 }
