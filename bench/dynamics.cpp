@@ -34,12 +34,20 @@ struct state {
   vector q, dq, input;  // the input: accelerations or torques
 };
 
+KDL::Chain with_flange(KDL::Chain chain) {
+  const auto& tip = arm_chain::tip.translation;
+  chain.addSegment(KDL::Segment("flange", KDL::Joint("flange", KDL::Joint::None),
+                                KDL::Frame(KDL::Vector(tip[0], tip[1], tip[2]))));
+  return chain;
+}
+
 struct by_kdl {
   KDL::Chain chain = kdl_arm();
   KDL::ChainDynParam parameters{chain, KDL::Vector(0, 0, -9.81)};
   KDL::ChainIdSolver_RNE inverse{chain, KDL::Vector(0, 0, -9.81)};
   KDL::ChainFdSolver_RNE forward{chain, KDL::Vector(0, 0, -9.81)};
-  KDL::ChainJntToJacSolver jacobians{chain};
+  KDL::Chain to_flange = with_flange(chain);
+  KDL::ChainJntToJacSolver jacobians{to_flange};
   KDL::JntArray q{7}, dq{7}, input{7}, result{7};
   KDL::JntSpaceInertiaMatrix mass{7};
   KDL::Jacobian jacobian{7};
@@ -90,13 +98,7 @@ struct forward {
 };
 struct jacobian {
   static constexpr const char* name = "Jacobian";
-  static Eigen::Matrix<double, 6, 7> cca(const state& s) {
-    const pose now(s.q);
-    Eigen::Matrix<double, 6, 7> j;
-    cca::detail::fill_jacobian(cca::detail::body_tree_of<arm>.links, now.links(), 6, now.links()[6].frame.at,
-                               j);
-    return j;
-  }
+  static Eigen::Matrix<double, 6, 7> cca(const state& s) { return pose(s.q).jacobian<"arm">(); }
   static Eigen::Matrix<double, 6, 7> kdl(by_kdl& k) {
     k.jacobians.JntToJac(k.q, k.jacobian);
     Eigen::Matrix<double, 6, 7> j;

@@ -217,9 +217,25 @@ An arm of seven joints, by the library and by Orocos KDL (`bench/dynamics.cpp`).
 Each computation begins with the angles; a run checks that both give the same numbers to 1e-9.
 KDL is that of Debian, and its solvers are made once.
 Each cell reads cca / KDL.
+The dynamics are [recorded](body.md#recordings).
 The goal is a ratio of at most 0.7; the largest is {worst:.2f}.
 
 {table(["quantity", "compiler", "instructions", "ratio", "allocations in 1000 computations"], rows)}
+{measured(part)}"""
+
+
+def floating(part):
+    sines = {r["compiler"]: r for r in part["data"] if r["quantity"] == "sines"}
+    rows = [[r["quantity"], r["compiler"], f"{number(r['cca'])} / {number(r['loops'])}", f"**{r['cca'] / r['loops']:.2f}**",
+             "" if r["quantity"] == "sines" else f"{number(r['cca'] - sines[r['compiler']]['cca'])} / {number(r['loops'] - sines[r['compiler']]['loops'])}",
+             r["allocations"]] for r in part["data"]]
+    return f"""## Dynamics of a quadruped
+
+A quadruped of twelve joints with a free base: recorded, and by the loops over its links that larger bodies use (`bench/floating_dynamics.cpp`).
+Each computation begins with the angles; a run checks that both give the same numbers to 1e-12 of the largest.
+Each cell reads recorded / loops; the row "sines" is what the sines and cosines of the angles take, of the library and of the C library.
+
+{table(["quantity", "compiler", "instructions", "ratio", "without sines", "allocations in 1000 computations"], rows)}
 {measured(part)}"""
 
 
@@ -462,6 +478,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(drives(figures["drives"]))
     if "dynamics" in figures:
         parts.append(dynamics(figures["dynamics"]))
+    if "floating" in figures:
+        parts.append(floating(figures["floating"]))
     if "learning" in figures:
         parts.append(learning(figures["learning"]))
     if "policies" in figures:

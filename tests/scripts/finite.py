@@ -54,6 +54,7 @@ WITHOUT = {
     "robot/body_components.hpp": "without a state: NaN passes",
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
+    "robot/body_tree.hpp": FUNCTION,
     "robot/bounded_motion.hpp": "tested within limiter",
     "robot/command_limits.hpp": FUNCTION,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,

@@ -37,6 +37,10 @@ public:
     said_.error(e.GetLineNum(), owner_ + ": " + text);
   }
 
+  void note(const element& e, const std::string& text) const {
+    said_.note(e.GetLineNum(), owner_ + ": " + text);
+  }
+
   // Empty if it isn't there; an error, too, if it is needed.
   std::string text(const element& e, const char* attribute, bool needed = true) const {
     const char* value = e.Attribute(attribute);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "elements.hpp"
@@ -9,11 +11,27 @@
 
 namespace cca_urdf {
 
+// Right angles are often written with few digits, as 1.5708. The rotations of exact ones consist of 0 and 1,
+// which vanish when the compiler works out the dynamics; those of the others do not.
+inline double right_angle(double angle) {
+  constexpr double quarter_turn = std::numbers::pi / 2;
+  const double right = std::round(angle / quarter_turn) * quarter_turn;
+  return std::abs(angle - right) <= 1e-5 ? right : angle;
+}
+
 inline origin read_origin(const element& e, const reader& from) {
   const element* at = child_of(e, "origin", from.said());
   if (!at) return {};
   const std::array<double, 3> zero{};
-  return {from.list<3>(*at, "xyz", zero), from.list<3>(*at, "rpy", zero)};
+  origin o{from.list<3>(*at, "xyz", zero), from.list<3>(*at, "rpy", zero)};
+  for (double& angle : o.rpy) {
+    const double right = right_angle(angle);
+    if (std::abs(right - angle) > 1e-9)  // else it was meant, with ten digits
+      from.note(*at, "the angle " + text_of(angle) + " of an <origin> becomes " + text_of(right) +
+                         ": it is within 1e-5 of a multiple of a right angle");
+    angle = right;
+  }
+  return o;
 }
 
 inline std::optional<inertial> read_inertial(const element& e, const reader& from, const std::string& owner) {

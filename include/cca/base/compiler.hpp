@@ -91,6 +91,14 @@ template <class Lanes>  // a vector of doubles
 #endif
 }
 
+// As many doubles as the machine computes at once.
+#if defined(__AVX2__)
+inline constexpr int lane_count = 4;
+#else
+inline constexpr int lane_count = 2;
+#endif
+using lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+
 // Both halves of a vector.
 template <class Lanes, int... I>
 [[gnu::always_inline]] constexpr auto halves_of(Lanes x, std::integer_sequence<int, I...>) {

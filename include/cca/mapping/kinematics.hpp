@@ -40,8 +40,7 @@ namespace detail {
 
 // Turns a rotation (axes as columns) about one of its own axes. For x, y or z only two columns change; else
 // Rodrigues' formula.
-inline void turn_about(matrix3& m, const body_link& l, double angle) {
-  const double s = std::sin(angle), c = std::cos(angle);
+inline void turn_about(matrix3& m, const body_link& l, double c, double s) {
   if (l.principal >= 0) {
     const int i = (l.principal + 1) % 3, j = (l.principal + 2) % 3;
     const vector3 a = m.col(i), b = m.col(j);
@@ -57,29 +56,52 @@ inline void turn_about(matrix3& m, const body_link& l, double angle) {
   m = (m * r).eval();
 }
 
+inline void turn_about(matrix3& m, const body_link& l, double angle) {
+  turn_about(m, l, std::cos(angle), std::sin(angle));
+}
+
 // A link in the base: its frame and the axis of its joint.
 struct placed_link {
   rigid frame;
   vector3 axis;
 };
 
-template <std::size_t Count, class Coordinates>
-[[gnu::always_inline]] inline void place_links(const std::array<body_link, Count>& links,
-                                               const Coordinates& q,
-                                               std::array<placed_link, Count>& placed) {
+// Cosine and sine of the angle of a revolute joint; the way of a prismatic one is in place of the cosine.
+struct joint_turn {
+  double cosine = 0, sine = 0;
+};
+
+// `turn_of(i)`: the joint_turn of joint i.
+template <std::size_t Count, class TurnOf>
+[[gnu::always_inline]] inline void place_turned_links(const std::array<body_link, Count>& links,
+                                                      TurnOf turn_of,
+                                                      std::array<placed_link, Count>& placed) {
   const rigid base;
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
     const rigid& parent = l.parent < 0 ? base : placed[static_cast<std::size_t>(l.parent)].frame;
     rigid& frame = placed[i].frame;
-    const double angle = l.ratio * q[l.coordinate] + l.rest;
+    const joint_turn by = turn_of(i);
     frame.at = parent.at + parent.turn * as_vector(l.at);
     if (l.straight) frame.turn = parent.turn;
     else frame.turn = parent.turn * Eigen::Map<const matrix3>(l.turn.data());
     placed[i].axis = frame.turn * as_vector(l.axis);
-    if (l.kind == joint_kind::revolute) turn_about(frame.turn, l, angle);
-    else frame.at += angle * placed[i].axis;
+    if (l.kind == joint_kind::revolute) turn_about(frame.turn, l, by.cosine, by.sine);
+    else frame.at += by.cosine * placed[i].axis;
   }
+}
+template <std::size_t Count, class Coordinates>
+[[gnu::always_inline]] inline void place_links(const std::array<body_link, Count>& links,
+                                               const Coordinates& q,
+                                               std::array<placed_link, Count>& placed) {
+  place_turned_links(
+      links,
+      [&](std::size_t i) -> joint_turn {
+        const double angle = links[i].ratio * q[links[i].coordinate] + links[i].rest;
+        if (links[i].kind == joint_kind::prismatic) return {angle, 0};
+        return {std::cos(angle), std::sin(angle)};
+      },
+      placed);
 }
 
 // The geometric Jacobian of a point on the link `last`: a column per coordinate.

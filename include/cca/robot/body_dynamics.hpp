@@ -22,6 +22,7 @@
 #include <cstddef>
 
 #include <cca/robot/body_pose.hpp>
+#include <cca/robot/recorded/quantities.hpp>
 
 namespace cca {
 
@@ -154,17 +155,64 @@ template <Body Type>
 auto inverse_dynamics(const body_pose<Type>& now,
                       const typename body_pose<Type>::vector_type& velocities,
                       const typename body_pose<Type>::vector_type& accelerations,
-                      const base_motion& base = {}) {
-  return detail::newton_euler<detail::weighed_links_of<Type>.size(), body_pose<Type>::size>(
-      detail::weighed_links_of<Type>, now.links(), detail::base_inertia_of<Type>(), velocities, accelerations,
-      base);
+                      const base_motion& base) {
+  constexpr const auto& links = detail::weighed_links_of<Type>;
+  constexpr int n = body_pose<Type>::size;
+  using quantity = detail::recorded_inverse_dynamics<Type, true>;
+  if constexpr (detail::is_recorded<quantity>()) {
+    dynamics_result<n> result;
+    detail::straight_line<quantity>::evaluate(
+        {result.torques.data(), result.wrench.data(), result.wrench.data() + 3}, now.joint_values(),
+        velocities.data(), accelerations.data(), base.gravity.data(), base.angular_velocity.data(),
+        base.angular_acceleration.data(), base.acceleration.data());
+    return result;
+  } else {
+    return detail::newton_euler<links.size(), n>(links, now.links(), detail::base_inertia_of<Type>(),
+                                                 velocities, accelerations, base);
+  }
+}
+template <Body Type>
+auto inverse_dynamics(const body_pose<Type>& now,
+                      const typename body_pose<Type>::vector_type& velocities,
+                      const typename body_pose<Type>::vector_type& accelerations) {
+  constexpr bool weighs = detail::weighed<Type>::has_inertia;
+  using quantity = detail::recorded_inverse_dynamics<Type, false>;
+  if constexpr (weighs && detail::is_recorded<quantity>()) {
+    dynamics_result<body_pose<Type>::size> result;
+    detail::straight_line<quantity>::evaluate(
+        {result.torques.data(), result.wrench.data(), result.wrench.data() + 3}, now.joint_values(),
+        velocities.data(), accelerations.data());
+    return result;
+  } else {
+    return inverse_dynamics(now, velocities, accelerations, base_motion{});
+  }
 }
 
-// Gravity along the base's axes, m/s^2.
+// Gravity along the base's axes, m/s^2; without it, that of a base that stands upright.
 template <Body Type>
-auto gravity_torques(const body_pose<Type>& now,
-                     const Eigen::Matrix<double, 3, 1>& gravity = base_motion{}.gravity) {
-  return detail::torques_at_rest<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(), gravity);
+auto gravity_torques(const body_pose<Type>& now, const Eigen::Matrix<double, 3, 1>& gravity) {
+  constexpr const auto& links = detail::weighed_links_of<Type>;
+  constexpr int n = body_pose<Type>::size;
+  using quantity = detail::recorded_gravity_torques<Type, true>;
+  if constexpr (detail::is_recorded<quantity>()) {
+    Eigen::Matrix<double, n, 1> torques;
+    detail::straight_line<quantity>::evaluate({torques.data()}, now.joint_values(), gravity.data());
+    return torques;
+  } else {
+    return detail::torques_at_rest<n>(links, now.links(), gravity);
+  }
+}
+template <Body Type>
+auto gravity_torques(const body_pose<Type>& now) {
+  constexpr bool weighs = detail::weighed<Type>::has_inertia;
+  using quantity = detail::recorded_gravity_torques<Type, false>;
+  if constexpr (weighs && detail::is_recorded<quantity>()) {
+    Eigen::Matrix<double, body_pose<Type>::size, 1> torques;
+    detail::straight_line<quantity>::evaluate({torques.data()}, now.joint_values());
+    return torques;
+  } else {
+    return gravity_torques(now, base_motion{}.gravity);
+  }
 }
 
 }  // namespace cca

@@ -84,9 +84,18 @@ Eigen::Matrix<double, Size, Size> coriolis_of(const std::array<body_link, Count>
 
 template <Body Type>
 auto coriolis_torques(const body_pose<Type>& now, const typename body_pose<Type>::vector_type& velocities) {
-  base_motion weightless;
-  weightless.gravity.setZero();
-  return inverse_dynamics(now, velocities, body_pose<Type>::vector_type::Zero(), weightless).torques;
+  constexpr bool weighs = detail::weighed<Type>::has_inertia;
+  using vector = typename body_pose<Type>::vector_type;
+  using quantity = detail::recorded_coriolis_torques<Type>;
+  if constexpr (weighs && detail::is_recorded<quantity>()) {
+    vector torques;
+    detail::straight_line<quantity>::evaluate({torques.data()}, now.joint_values(), velocities.data());
+    return torques;
+  } else {
+    base_motion weightless;
+    weightless.gravity.setZero();
+    return vector(inverse_dynamics(now, velocities, vector(vector::Zero()), weightless).torques);
+  }
 }
 
 template <Body Type>

@@ -118,16 +118,39 @@ typename body_pose<Type>::vector_type forward_dynamics(
     const body_pose<Type>& now,
     const typename body_pose<Type>::vector_type& velocities,
     const typename body_pose<Type>::vector_type& torques,
-    const base_motion& base = {}) {
-  using vector = typename body_pose<Type>::vector_type;
+    const base_motion& base) {
   constexpr const auto& links = detail::weighed_links_of<Type>;
-  if constexpr (detail::has_coupled_joints(links)) {
+  using vector = typename body_pose<Type>::vector_type;
+  using quantity = detail::recorded_forward_dynamics<Type, true>;
+  if constexpr (detail::is_recorded<quantity>()) {
+    vector accelerations;
+    detail::straight_line<quantity>::evaluate(
+        {accelerations.data()}, now.joint_values(), velocities.data(), torques.data(), base.gravity.data(),
+        base.angular_velocity.data(), base.angular_acceleration.data(), base.acceleration.data());
+    return accelerations;
+  } else if constexpr (detail::has_coupled_joints(links)) {
     const vector bias = inverse_dynamics(now, velocities, vector(vector::Zero()), base).torques;
     return detail::positive_matrix<body_pose<Type>::size>(mass_matrix(now)).solve(vector(torques - bias));
   } else {
     return detail::articulated_body<false>(links, now.links(), {}, velocities, torques, base,
                                            detail::vector6(detail::vector6::Zero()))
         .accelerations;
+  }
+}
+template <Body Type>
+typename body_pose<Type>::vector_type forward_dynamics(
+    const body_pose<Type>& now,
+    const typename body_pose<Type>::vector_type& velocities,
+    const typename body_pose<Type>::vector_type& torques) {
+  constexpr bool weighs = detail::weighed<Type>::has_inertia;
+  using quantity = detail::recorded_forward_dynamics<Type, false>;
+  if constexpr (weighs && detail::is_recorded<quantity>()) {
+    typename body_pose<Type>::vector_type accelerations;
+    detail::straight_line<quantity>::evaluate({accelerations.data()}, now.joint_values(), velocities.data(),
+                                              torques.data());
+    return accelerations;
+  } else {
+    return forward_dynamics(now, velocities, torques, base_motion{});
   }
 }
 
@@ -139,8 +162,19 @@ auto floating_forward_dynamics(
     const base_motion& base = {},
     const Eigen::Matrix<double, 6, 1>& wrench = Eigen::Matrix<double, 6, 1>::Zero()) {
   constexpr const auto& links = detail::weighed_links_of<Type>;
-  if constexpr (detail::has_coupled_joints(links)) {
-    constexpr int n = body_pose<Type>::size;
+  constexpr int n = body_pose<Type>::size;
+  using quantity = detail::recorded_floating_forward_dynamics<Type>;
+  if constexpr (detail::is_recorded<quantity>()) {
+    forward_dynamics_result<n> result;
+    result.base = base;
+    detail::straight_line<quantity>::evaluate(
+        {result.accelerations.data(), result.base.angular_acceleration.data(),
+         result.base.acceleration.data()},
+        now.joint_values(), velocities.data(), torques.data(), base.angular_velocity.data(), wrench.data(),
+        wrench.data() + 3);
+    result.base.acceleration += base.gravity;
+    return result;
+  } else if constexpr (detail::has_coupled_joints(links)) {
     base_motion still = base;
     still.angular_acceleration.setZero();
     still.acceleration.setZero();

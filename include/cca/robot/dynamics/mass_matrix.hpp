@@ -37,28 +37,50 @@ Eigen::Matrix<double, Size, Size> joint_space_inertia(const std::array<body_link
   return m;
 }
 
+// With the base.
+template <int Size, std::size_t Count>
+Eigen::Matrix<double, 6 + Size, 6 + Size> whole_inertia(const std::array<body_link, Count>& links,
+                                                        const composite_bodies<Count>& bodies) {
+  Eigen::Matrix<double, 6 + Size, 6 + Size> m = Eigen::Matrix<double, 6 + Size, 6 + Size>::Zero();
+  const matrix6 whole = bodies.all.matrix();
+  m.template topLeftCorner<6, 6>() = 0.5 * (whole + whole.transpose());
+  m.template bottomRightCorner<Size, Size>() = joint_space_inertia<Size>(links, bodies);
+  for (std::size_t i = 0; i < Count; ++i)
+    m.template topRightCorner<6, Size>().col(links[i].coordinate) += bodies.load[i];
+  m.template bottomLeftCorner<Size, 6>() = m.template topRightCorner<6, Size>().transpose();
+  return m;
+}
+
 }  // namespace detail
 
 template <Body Type>
 auto mass_matrix(const body_pose<Type>& now) {
   constexpr const auto& links = detail::weighed_links_of<Type>;
-  return detail::joint_space_inertia<body_pose<Type>::size>(
-      links, detail::composite_bodies<links.size()>(links, now.links(), {}));
+  constexpr int n = body_pose<Type>::size;
+  using quantity = detail::recorded_mass_matrix<Type, false>;
+  if constexpr (detail::is_recorded<quantity>()) {
+    Eigen::Matrix<double, n, n> m;
+    detail::straight_line<quantity>::evaluate({m.data()}, now.joint_values());
+    return m;
+  } else {
+    return detail::joint_space_inertia<n>(links,
+                                          detail::composite_bodies<links.size()>(links, now.links(), {}));
+  }
 }
 
 template <Body Type>
 auto floating_mass_matrix(const body_pose<Type>& now) {
   constexpr int n = body_pose<Type>::size;
   constexpr const auto& links = detail::weighed_links_of<Type>;
-  const detail::composite_bodies<links.size()> bodies(links, now.links(), detail::base_inertia_of<Type>());
-  Eigen::Matrix<double, 6 + n, 6 + n> m = Eigen::Matrix<double, 6 + n, 6 + n>::Zero();
-  const detail::matrix6 whole = bodies.all.matrix();
-  m.template topLeftCorner<6, 6>() = 0.5 * (whole + whole.transpose());
-  m.template bottomRightCorner<n, n>() = detail::joint_space_inertia<n>(links, bodies);
-  for (std::size_t i = 0; i < links.size(); ++i)
-    m.template topRightCorner<6, n>().col(links[i].coordinate) += bodies.load[i];
-  m.template bottomLeftCorner<n, 6>() = m.template topRightCorner<6, n>().transpose();
-  return m;
+  using quantity = detail::recorded_mass_matrix<Type, true>;
+  if constexpr (detail::is_recorded<quantity>()) {
+    Eigen::Matrix<double, 6 + n, 6 + n> m;
+    detail::straight_line<quantity>::evaluate({m.data()}, now.joint_values());
+    return m;
+  } else {
+    return detail::whole_inertia<n>(
+        links, detail::composite_bodies<links.size()>(links, now.links(), detail::base_inertia_of<Type>()));
+  }
 }
 
 }  // namespace cca
