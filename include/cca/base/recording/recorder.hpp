@@ -102,6 +102,7 @@ struct recorder {
     return first_constant + constant_count - 1;
   }
   constexpr int operand_of(operation what, int a, int b) {
+    if (is_full) return 0;  // spares the compiler the rest
     const recorded_operation made(what, a, b);
     auto at = made.word * 2654435761u >> 19;
     for (; operation_at[at] != 0; at = (at + 1) % places)
