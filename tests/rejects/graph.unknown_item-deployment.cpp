@@ -1,4 +1,4 @@
-// EXPECT: graph\.unknown_item: `gait` in split is no graph: the first argument of cca::deployment is the architecture, a struct derived from cca::graph<\.\.\.>, and the environments follow
+// EXPECT: graph\.unknown_item: `gait` in split is no graph: the first argument of cca::deployment is the architecture, a struct derived from cca::graph<\.\.\.> or, of several modes, from cca::modes<\.\.\.>, and the environments follow
 // The first argument of a deployment is its architecture.
 #include <cca/deployment.hpp>
 

@@ -20,11 +20,11 @@ struct draw {
     return state;
   }
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-  // In turn: of usual size, larger, any bits at all.
+  // In turn: of usual size, larger, any bits at all. The last bits of a small one would be zeros.
   double argument(int i, double usual) {
     if (i % 8 == 7) return std::bit_cast<double>(bits());
     const double x = (unit() - 0.5) * 2 * usual;
-    return i % 8 == 6 ? x * 1000 : x;
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(i % 8 == 6 ? x * 1000 : x) ^ (bits() & 0xffffff));
   }
 };
 

@@ -60,6 +60,7 @@ struct component_info {
   const asked_path* asked_paths = nullptr;  // of what it observes
   int asked_path_count = 0;
   std::string_view wrong_arity{};  // of a skeleton whose parts don't fit together: the rest of the message
+  bool is_set_of_modes = false;
   bool limits_commands = false;    // a limiter: its output may reach an actuator
   bool preserves_limits = false;   // a splitter, a collector: outputs keep the limits of the inputs
   bool moves_nothing = false;      // a publisher: its `act` tells others, and is no actuator
@@ -99,6 +100,7 @@ inline constexpr component_info component_of = [] {
     info.asked_paths = Type::asked_paths.data();
     info.asked_path_count = static_cast<int>(Type::asked_paths.size());
   }
+  info.is_set_of_modes = requires { typename Type::cca_modes; };
   if constexpr (requires { Type::wrong_arity; }) info.wrong_arity = Type::wrong_arity;
   if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
   if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;

@@ -5,9 +5,13 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <random>
 #include <string>
 
@@ -26,8 +30,10 @@ long how_many() {
   return wanted ? std::atol(wanted) : 4000;
 }
 
+// With random last bits: the distribution has those of a number near the bounds, so of a small one they are 0.
 double uniform(generator& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
+  const double x = std::uniform_real_distribution<double>(low, high)(random);
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (random() & 0xffffff));
 }
 // Where arguments come from: of usual size, of any exponent, near the multiples of pi / 2, powers of about 1.
 auto between(double low, double high) {
@@ -59,6 +65,12 @@ auto positive(int low, int high) {
 arguments near_quarters(generator& random) {
   const double k = std::uniform_int_distribution<int>(1, 1 << 20)(random);
   return {std::nextafter(k * 1.5707963267948966, (random() & 1) != 0 ? 1e9 : 0), 0};
+}
+// Doubles that are especially near to a multiple of pi / 2, of all exponents: convergents of 2^e / (pi / 2).
+arguments near_far_quarters(generator& random) {
+  constexpr double found[] = {0x1.6ac5b262ca1ffp+849, 0x1.836db670594p+1000, 0x1.3315953d382p+682,
+                              0x1.c818ac6be76p+502,   0x1.6ac5b262ca1ffp+850};
+  return {found[std::uniform_int_distribution<std::size_t>(0, std::size(found) - 1)(random)], 0};
 }
 arguments about_one(generator& random) {
   arguments a{};
@@ -121,15 +133,18 @@ TEST_CASE("accuracy of sin, cos, tan") {
   ONE("sin, near k pi / 2", 0.8, sin, near_quarters);
   ONE("sin, small", 0.8, sin, exponents(-1070, 0));
   ONE("sin, huge", 0.8, sin, exponents(20, 1023));
+  ONE("sin, huge and near k pi / 2", 0.8, sin, near_far_quarters);
   ONE("cos, |x| < pi", 0.8, cos, between(-3.2, 3.2));
   ONE("cos, without a branch", 0.8, cos, between(-1.6e6, 1.6e6));
   ONE("cos, near k pi / 2", 0.8, cos, near_quarters);
   ONE("cos, huge", 0.8, cos, exponents(20, 1023));
+  ONE("cos, huge and near k pi / 2", 0.8, cos, near_far_quarters);
   ONE("tan, |x| < pi", 1, tan, between(-3.2, 3.2));
   ONE("tan, without a branch", 1, tan, between(-1.6e6, 1.6e6));
   ONE("tan, near k pi / 2", 1, tan, near_quarters);
   ONE("tan, small", 1, tan, exponents(-1070, 0));
   ONE("tan, huge", 1, tan, exponents(20, 1023));
+  ONE("tan, huge and near k pi / 2", 1, tan, near_far_quarters);
 }
 TEST_CASE("accuracy of exp, expm1, sinh, cosh, tanh") {
   ONE("exp, |x| < 1", 0.7, exp, between(-1, 1));
@@ -161,6 +176,7 @@ TEST_CASE("accuracy of log, pow") {
 }
 TEST_CASE("accuracy of atan, atan2, asin, acos") {
   ONE("atan, |x| < 2", 0.85, atan, between(-2, 2));
+  ONE("atan, where pi / 4 is split off", 0.85, atan, between(0.41, 0.6));
   ONE("atan, |x| < 20", 0.85, atan, between(-20, 20));
   ONE("atan, all", 1, atan, exponents(-1070, 1000));
   TWO("atan2, sides below 2", 0.8, atan2, between(-2, 2));

@@ -53,7 +53,8 @@ CCA_INLINE constexpr auto can_reduce(T x) {  // no for NaN
   return magnitude(x) <= 0x1.921fb54442d18p+20;
 }
 
-// x 2 / pi modulo 4 from six limbs of 2 / pi. Finite, |x| >= 2.
+// x 2 / pi modulo 4 from eight limbs of 2 / pi: 138 bits behind the point are right, and no double is nearer to a
+// multiple of pi / 2 than 2^-62 of it. Finite, |x| >= 2.
 [[gnu::noinline]] constexpr reduced<double> reduce_far(double x) {
   CCA_EXACT
   constexpr std::uint32_t two_over_pi[] = {
@@ -66,21 +67,21 @@ CCA_INLINE constexpr auto can_reduce(T x) {  // no for NaN
   const std::uint64_t m = (all_bits & 0xfffffffffffff) | 0x10000000000000;
   const int exponent = static_cast<int>(all_bits >> 52 & 0x7ff) - 1075;  // |x| = m 2^exponent
   const int first = exponent > 34 ? (exponent - 2) / 32 : 0;  // limbs before it give multiples of 4
-  // m times the six limbs, in eight limbs of 32 bits, the highest first.
-  std::array<std::uint64_t, 8> sum{};
-  for (int i = 0; i < 6; ++i) {
+  // m times these limbs, in ten limbs of 32 bits, the highest first.
+  std::array<std::uint64_t, 10> sum{};
+  for (int i = 0; i < 8; ++i) {
     const std::uint64_t limb = two_over_pi[first + i], low = limb * (m & 0xffffffff), high = limb * (m >> 32);
     sum[i + 2] += low & 0xffffffff;
     sum[i + 1] += (low >> 32) + (high & 0xffffffff);
     sum[i] += high >> 32;
   }
-  for (int i = 7; i > 0; --i) sum[i - 1] += sum[i] >> 32, sum[i] &= 0xffffffff;
-  const int point = 32 * (first + 5) - exponent;  // so many bits stand behind the point
+  for (int i = 9; i > 0; --i) sum[i - 1] += sum[i] >> 32, sum[i] &= 0xffffffff;
+  const int point = 32 * (first + 7) - exponent;  // so many bits stand behind the point
   const auto bits_from = [&](int lowest) {
     std::uint64_t found = 0;
     for (int w = 0; w < 3; ++w) {
-      const int limb = 7 - ((lowest >> 5) + w), shift = 32 * w - (lowest & 31);
-      const std::uint64_t value = limb >= 0 && limb < 8 ? sum[limb] : 0;
+      const int limb = 9 - ((lowest >> 5) + w), shift = 32 * w - (lowest & 31);
+      const std::uint64_t value = limb >= 0 && limb < 10 ? sum[limb] : 0;
       found |= shift >= 64 ? 0 : shift >= 0 ? value << shift : value >> -shift;
     }
     return found;
@@ -161,6 +162,8 @@ CCA_INLINE constexpr T turned_tangent(reduced<T> at) {
 // Both of one angle.
 template <Real T>
 CCA_INLINE constexpr sine_and_cosine_of<T> sine_and_cosine(T x) {
+  if constexpr (std::same_as<T, double>)
+    if (detail::is_odd_constant(detail::can_reduce(x))) return detail::far_sine_and_cosine(x);
   auto [sine, cosine] = detail::turned(detail::reduce(x));
   if (!detail::everywhere(detail::can_reduce(x))) [[unlikely]] {
     if constexpr (std::same_as<T, double>) {

@@ -34,6 +34,8 @@ template <Real T>
 CCA_INLINE constexpr T atan2(T y, T x) {
   CCA_EXACT
   using namespace detail;
+  const auto is_angle = (x == x) & (y == y);
+  if (is_odd_constant(is_angle)) return all<T>(not_a_number);
   const T ax = magnitude(x), ay = magnitude(y);
   const auto is_steep = ay > ax;
   T more = pick(is_steep, ay, ax), less = pick(is_steep, ax, ay);
@@ -59,13 +61,14 @@ CCA_INLINE constexpr T atan2(T y, T x) {
   const T way = pick((is_steep != 0) != (is_left != 0), all<T>(-1), all<T>(1));
   const pair<T> sum = sum_of(product(eighths, eighth_turn_high), product(way, u.high));
   const T angle = sum.high + (sum.low + (product(way, rest) + product(eighths, eighth_turn_low)));
-  return where((x == x) & (y == y), with_sign_of(y, angle));
+  return where(is_angle, with_sign_of(y, angle));
 }
 
 template <Real T>
 CCA_INLINE constexpr T atan(T x) {
   CCA_EXACT
   using namespace detail;
+  if (is_odd_constant(x == x)) return all<T>(not_a_number);
   const T all_of_it = magnitude(x), size = pick(all_of_it > 0x1p60, 0x1p60, all_of_it);  // also infinity
   const auto is_steep = size > 0x1.3504f333f9de6p+1,
              is_wide = size > 0x1.a827999fcef32p-2;  // 1 / tan(pi / 8), tan(pi / 8)
@@ -73,13 +76,14 @@ CCA_INLINE constexpr T atan(T x) {
   const T over = pick(is_steep, -1.0, pick(is_wide, T(size - 1), size)),
           steep_under = pick(is_steep, size, T(size + 1)), under = pick(is_wide, steep_under, 1.0);
   const auto is_between = is_wide & (is_steep == 0);
-  const T lost = pick(is_between, T(1 - (under - size)), T{}),
+  const T lost = pick(is_between, T(size - (under - 1)), T{}),
           over_lost = pick(is_between, T(size - (over + 1)), T{});
   const pair<T> u = quotient_of(pair<T>{over, over_lost}, pair<T>{under, lost});
   const T z = product(u.high, u.high),
           rest = u.low + product(product(u.high, z), polynomial(z, arctangent_terms));
   const T high = pick(is_steep, 2 * eighth_turn_high, pick(is_wide, eighth_turn_high, T{}));
   const T low = pick(is_steep, 2 * eighth_turn_low, pick(is_wide, eighth_turn_low, T{}));
+
   const T angle = high + (u.high + (rest + low));
   return where(x == x, with_sign_of(x, angle));
 }
@@ -105,6 +109,7 @@ CCA_INLINE constexpr T asin(T x) {
   CCA_EXACT
   using namespace detail;
   const T size = magnitude(x);
+  if (is_odd_constant(size <= 1.0)) return all<T>(not_a_number);
   const pair<T> a = half_arcsine(size, size);
   const T large = 2 * ((eighth_turn_high - a.high) + (eighth_turn_low - a.low));
   return where(size <= 1.0, with_sign_of(x, pick(size <= 0.5, T(a.high + a.low), large)));
@@ -115,6 +120,7 @@ CCA_INLINE constexpr T acos(T x) {
   CCA_EXACT
   using namespace detail;
   const T size = magnitude(x);
+  if (is_odd_constant(size <= 1.0)) return all<T>(not_a_number);
   const pair<T> a = half_arcsine(size, x);
   // pi / 2 - asin(x), 2 asin(root), pi - 2 asin(root).
   const T small = 2 * eighth_turn_high - (a.high - (2 * eighth_turn_low - a.low));

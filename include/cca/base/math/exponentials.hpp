@@ -58,6 +58,8 @@ CCA_INLINE constexpr T near_exp(exponential<T> e) {  // 2^k and the result are n
 
 // m 2^k in two steps: a subnormal result is rounded once, a large one becomes infinite. |k| < 2000.
 constexpr double scaled(double m, std::int64_t k) {
+  CCA_EXACT
+  if (k > 1023 && m >= power_of_two<double>(1024 - k)) return infinite;
   const std::int64_t half = k >> 1;
   return m * power_of_two<double>(half) * power_of_two<double>(k - half);
 }
@@ -111,35 +113,39 @@ CCA_INLINE constexpr T exp(T x) {
 // exp(x) - 1, also where exp(x) is nearly 1.
 template <Real T>
 CCA_INLINE constexpr T expm1(T x) {
+  if (detail::is_odd_constant(x == x)) return detail::all<T>(detail::not_a_number);
   const T q = detail::quarter_of_growth(detail::clamped(x, -60, 710.5)).high;
-  return detail::where(x == x, detail::or_tiny(x, T(q * 4)));
+  return detail::where(x == x, detail::or_tiny(x, detail::enlarged(q, 4)));
 }
 
 template <Real T>
 CCA_INLINE constexpr T sinh(T x) {
   CCA_EXACT
+  if (detail::is_odd_constant(x == x)) return detail::all<T>(detail::not_a_number);
   const T size = detail::magnitude(x);
   const detail::pair<T> q = detail::quarter_of_growth(detail::pick(size > 710.5, 710.5, size));
   const detail::pair<T> e = detail::sum_of(detail::all<T>(0.25), q.high);  // exp / 4
   const detail::pair<T> back = detail::quotient_of(q, {e.high, e.low + q.low});
   const detail::pair<T> s = detail::fast_sum_of(q.high, T(0.25 * back.high));
-  const T result = 2 * (s.high + (s.low + (q.low + 0.25 * back.low)));
+  const T result = detail::enlarged(T(s.high + (s.low + (q.low + 0.25 * back.low))), 2);
   return detail::where(x == x, detail::or_tiny(x, detail::with_sign_of(x, result)));
 }
 
 template <Real T>
 CCA_INLINE constexpr T cosh(T x) {
   CCA_EXACT
+  if (detail::is_odd_constant(x == x)) return detail::all<T>(detail::not_a_number);
   const T size = detail::magnitude(x);
   const detail::pair<T> e = detail::quarter_of_exp(detail::pick(size > 710.5, 710.5, size));
-  return detail::where(x == x, T(2 * (e.high + (e.low + 0.0625 / e.high))));
+  return detail::where(x == x, detail::enlarged(T(e.high + (e.low + 0.0625 / e.high)), 2));
 }
 
 template <Real T>
 CCA_INLINE constexpr T tanh(T x) {
   CCA_EXACT
-  const T twice = 2 * detail::magnitude(x);
-  const detail::pair<T> q = detail::quarter_of_growth(detail::pick(twice > 50, 50.0, twice));
+  if (detail::is_odd_constant(x == x)) return detail::all<T>(detail::not_a_number);
+  const T size = detail::magnitude(x), twice = 2 * detail::pick(size > 25, 25.0, size);
+  const detail::pair<T> q = detail::quarter_of_growth(twice);
   const detail::pair<T> under = detail::sum_of(detail::all<T>(0.5), q.high);
   const detail::pair<T> t = detail::quotient_of(q, {under.high, under.low + q.low});
   return detail::where(x == x, detail::or_tiny(x, detail::with_sign_of(x, T(t.high + t.low))));

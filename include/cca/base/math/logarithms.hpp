@@ -47,6 +47,7 @@ CCA_INLINE constexpr T near_log(parts<T> p) {
   return product(p.exponent, log_2_high) - ((half - rest) - f);
 }
 [[gnu::noinline]] constexpr double far_log(double x) {
+  CCA_EXACT
   if (!(x > 0)) return x == 0 ? -infinite : not_a_number;
   if (x == infinite) return x;
   const parts<double> p = parts_of(x * 0x1p54);  // subnormal
@@ -126,7 +127,11 @@ CCA_INLINE constexpr T log(T x) {
 template <Real T>
 CCA_INLINE constexpr T pow(T x, T y) {
   const auto is_usual = detail::is_normal(x) & (detail::magnitude(y) < 0x1p66);
-  const detail::pair<T> e = detail::product_in_parts(y, detail::binary_log(detail::parts_of(x)));
+  if constexpr (std::same_as<T, double>)
+    if (detail::is_odd_constant(is_usual)) return detail::far_pow(x, y);
+  // Without its sign: a negative x is not usual, but its parts are taken, and may not overflow.
+  const detail::pair<T> e =
+      detail::product_in_parts(y, detail::binary_log(detail::parts_of(detail::magnitude(x))));
   if (detail::everywhere(is_usual & (detail::magnitude(e.high) < 1000.0))) [[likely]]
     return detail::near_exp(detail::binary_exponential(e));
   if constexpr (std::same_as<T, double>) {

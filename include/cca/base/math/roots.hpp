@@ -5,8 +5,7 @@
 // fmod(x, 0) too. hypot of an infinite side is infinite, also beside NaN. Templates on the scalar: double,
 // float (computed in double), lanes.
 //
-// sqrt makes no call: a compiler's own would make one for errno. sqrt(-0) is 0: without its sign, the NaN of
-// a negative number is the same on all machines.
+// sqrt makes no call: a compiler's own would make one for errno.
 #pragma once
 
 #include <cca/base/math/rounding.hpp>
@@ -14,16 +13,22 @@
 namespace cca::math {
 namespace detail {
 
-// By Newton's rule from above; what is left is then less than half a unit, and there are no ties.
+// By hand: two digits of x give one of the root, and one more than a double has says how it is rounded.
 constexpr double constant_square_root(double x) {
   CCA_EXACT
-  if (!(x > 0) || x == infinite) return x == 0 || x > 0 ? magnitude(x) : not_a_number;
-  double scale = 1;
-  for (; x < 1; scale *= 0.5) x *= 4;
-  for (; x >= 4; scale *= 2) x *= 0.25;
-  double root = 2;
-  for (double next = (root + x / root) / 2; next < root; next = (root + x / root) / 2) root = next;
-  return (root + rest_of_square(x, root) / (2 * root)) * scale;
+  if (!(x > 0) || x == infinite) return x >= 0 ? x : not_a_number;
+  const bool is_subnormal = x < 0x1p-1022;
+  const std::int64_t all = bits(is_subnormal ? x * 0x1p54 : x);
+  const std::int64_t exponent = (all >> 52) - (is_subnormal ? 1023 + 54 : 1023), half = exponent >> 1;
+  const std::int64_t mantissa = ((all & 0xfffffffffffff) | 0x10000000000000) << (exponent - 2 * half);
+  std::int64_t root = 0, rest = 0;
+  for (int digit = 52; digit >= -54; digit -= 2) {
+    rest = rest << 2 | (digit >= 0 ? mantissa >> digit & 3 : 0);
+    const std::int64_t taken = root << 2 | 1;
+    root = root << 1 | (rest >= taken);
+    if (rest >= taken) rest -= taken;
+  }
+  return static_cast<double>((root + 1) >> 1) * power_of_two<double>(half - 52);
 }
 
 }  // namespace detail
@@ -32,9 +37,9 @@ template <Real T>
 CCA_INLINE constexpr T sqrt(T x) {
   if constexpr (std::same_as<T, double>) {
     if (std::is_constant_evaluated()) return detail::constant_square_root(x);
-    return detail::magnitude(cca::detail::square_root_of(x));
+    return detail::where(x >= 0, detail::with_sign_of(x, cca::detail::square_root_of(x)));
   } else {
-    return detail::magnitude(cca::detail::square_roots_of(x));
+    return detail::where(x >= 0, detail::with_sign_of(x, cca::detail::square_roots_of(x)));
   }
 }
 
@@ -63,17 +68,19 @@ CCA_INLINE constexpr T near_hypot(T more, T less) {
   return root + (((product(mh, mh) - product(rh, rh)) + product(lh, lh)) + low) / (2 * root);
 }
 [[gnu::noinline]] constexpr double far_hypot(double ax, double ay) {
+  CCA_EXACT
   if (ax == infinite || ay == infinite) return infinite;
   if (!(ax == ax) || !(ay == ay)) return not_a_number;
   const double more = ax > ay ? ax : ay, less = ax > ay ? ay : ax;
   if (more == 0) return 0;
-  if (more > 1) return near_hypot(more * 0x1p-600, less * 0x1p-600) * 0x1p600;
+  if (more > 1) return enlarged(near_hypot(more * 0x1p-600, less * 0x1p-600), 0x1p600);
   return near_hypot(more * 0x1p600, less * 0x1p600) * 0x1p-600;
 }
 
 // x - q y for a large quotient, as by hand: y times ever smaller powers of two is taken away. 0 < y <= x,
 // finite.
 [[gnu::noinline]] constexpr double long_remainder(double x, double y) {
+  CCA_EXACT
   const auto exponent = [](double size) {
     return size < 0x1p-1022 ? (std::bit_cast<std::int64_t>(size * 0x1p54) >> 52) - 54
                             : std::bit_cast<std::int64_t>(size) >> 52;
@@ -96,7 +103,9 @@ CCA_INLINE constexpr T near_hypot(T more, T less) {
 template <Real T>
 CCA_INLINE constexpr T trunc(T x) {
   CCA_EXACT
-  const T size = detail::magnitude(x), whole = detail::to_whole(size);
+  const T size = detail::magnitude(x);
+  if (detail::is_odd_constant(size < 0x1p52)) return detail::where(x == x, x);
+  const T whole = detail::to_whole(size);
   const T down = whole - detail::pick(whole > size, 1.0, T{});
   return detail::where(x == x, detail::pick(size < 0x1p52, detail::with_sign_of(x, down), x));
 }
@@ -104,19 +113,23 @@ template <Real T>
 CCA_INLINE constexpr T floor(T x) {
   CCA_EXACT
   const T t = trunc(x);
+  if (detail::is_odd_constant(detail::magnitude(x) < 0x1p52)) return t;
   return detail::pick(t > x, T(t - 1), t);
 }
 template <Real T>
 CCA_INLINE constexpr T ceil(T x) {
   CCA_EXACT
   const T t = trunc(x);
+  if (detail::is_odd_constant(detail::magnitude(x) < 0x1p52)) return t;
   return detail::pick(t < x, detail::with_sign_of(x, T(t + 1)), t);
 }
 // Halves away from zero.
 template <Real T>
 CCA_INLINE constexpr T round(T x) {
   CCA_EXACT
-  const T t = trunc(x), left = detail::magnitude(T(x - t));
+  const T t = trunc(x);
+  if (detail::is_odd_constant(detail::magnitude(x) < 0x1p52)) return t;
+  const T left = detail::magnitude(T(x - t));
   return detail::pick(left >= 0.5, T(t + detail::with_sign_of(x, detail::all<T>(1))), t);
 }
 
@@ -124,9 +137,10 @@ template <Real T>
 CCA_INLINE constexpr T cbrt(T x) {
   CCA_EXACT
   using namespace detail;
+  if (is_odd_constant(x == x)) return all<T>(not_a_number);
   const T size = magnitude(x);
   const auto is_subnormal = size < 0x1p-1022;
-  const word<T> w = bits(pick(is_subnormal, T(size * 0x1p54), size));
+  const word<T> w = bits(T(size * pick(is_subnormal, all<T>(0x1p54), all<T>(1))));
   const T exponent = number<T>(word<T>((w >> 52) - 1023));
   const whole<T> third = nearest(product(T(exponent - 1), 0x1.5555555555555p-2));
   const word<T> k = third.bits - std::bit_cast<std::int64_t>(upper_half);
@@ -165,14 +179,15 @@ CCA_INLINE constexpr T fmod(T x, T y) {
   CCA_EXACT
   using namespace detail;
   const T ax = magnitude(x), ay = magnitude(y);
-  const auto is_near = (ax < ay * 0x1p50) & (ay > 0x1p-900) & (ay < 0x1p900);
+  const auto is_defined = (ax < infinite) & (ay > 0);
+  if (is_odd_constant(is_defined)) return all<T>(not_a_number);
+  const auto is_near = (ax * 0x1p-50 < ay) & (ay > 0x1p-900) & (ay < 0x1p900);
   const T q = trunc(T(pick(is_near, ax, T{}) / pick(is_near, ay, 1.0)));
   const T qh = upper_26(q), divisor = pick(is_near, ay, T{}), dh = upper_26(divisor);
   T rest = (((ax - product(qh, dh)) - product(qh, T(divisor - dh))) - product(T(q - qh), dh)) -
            product(T(q - qh), T(divisor - dh));
-  rest = pick(rest < 0, T(rest + ay), rest);
-  rest = pick(rest >= ay, T(rest - ay), rest);
-  const auto is_defined = (ax < infinite) & (ay > 0);
+  rest = pick(rest < 0, T(rest + divisor), rest);
+  rest = pick(rest >= divisor, T(rest - divisor), rest);
   if (!everywhere(is_near | (ax < ay) | (is_defined == 0))) [[unlikely]] {
     if constexpr (std::same_as<T, double>) rest = long_remainder(ax, ay);
     else

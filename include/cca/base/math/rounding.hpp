@@ -5,13 +5,15 @@
 //
 // The same bits everywhere: only + - * / and square roots, which IEEE 754 rounds correctly, and integers.
 // What breaks that is a product that is added before it is rounded (contraction), so every product that is
-// added goes through product(), and every function begins with CCA_EXACT. -ffast-math is refused.
+// added goes through product(), and every function begins with CCA_EXACT. -ffast-math is refused, and so are
+// those of its parts that the compiler tells.
 #pragma once
 
 #include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -19,6 +21,11 @@
 
 #ifdef __FAST_MATH__
 #error "math.fast: with -ffast-math a program computes other bits on each machine: compile without it"
+#elif defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) || \
+    __FINITE_MATH_ONLY__
+#error "math.fast: a part of -ffast-math is on, so a program computes other bits, or wrong ones: compile without it"
+#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "math.fast: doubles are computed with more bits here, as by -mfpmath=387: compile with -mfpmath=sse"
 #endif
 
 namespace cca::math {
@@ -106,6 +113,21 @@ CCA_INLINE constexpr T where(Condition condition, T result) {
   else return from_bits<T>(condition ? bits(result) : word<T>{} + bits(not_a_number));
 }
 
+// A constant expression may compute nothing that is NaN or too large, not even beside its result. So a function
+// asks whether its argument must be treated apart there; at run time none is.
+template <class Condition>
+CCA_INLINE constexpr bool is_odd_constant(Condition is_usual) {
+  return std::is_constant_evaluated() && !everywhere(is_usual);
+}
+// x times a power of two.
+template <Real T>
+CCA_INLINE constexpr T enlarged(T x, double power) {
+  CCA_EXACT
+  if (is_odd_constant(magnitude(x) <= std::numeric_limits<double>::max() / power))
+    return with_sign_of(x, all<T>(infinite));
+  return x * power;
+}
+
 // ---- a number in two parts: high is what the sum of both rounds to ----
 
 template <Real T>
@@ -146,14 +168,6 @@ CCA_INLINE constexpr T upper_26(T x) {
 template <Real T>
 CCA_INLINE constexpr T upper_21(T x) {
   return from_bits<T>(bits(x) & ~std::int64_t{0xffffffff});
-}
-
-// x - y^2, exact up to a rounding of the last sum; y^2 is near x.
-template <Real T>
-CCA_INLINE constexpr T rest_of_square(T x, T y) {
-  CCA_EXACT
-  const T high = upper_26(y);
-  return (x - product(high, high)) - product(T(y - high), T(y + high));
 }
 
 // a / b: the quotient, and what is left of a over b.

@@ -61,7 +61,8 @@ constexpr mode_info describe_mode() {
     info.plan = &shown_plan<graph>;
     info.is_deployment = !is_checked_set<M> && requires { typename graph::cca_environments; };
   } else {
-    info.type = type_name<Item>();
+    info.is_set = Modes<graph>;
+    info.type = type_name<std::conditional_t<Modes<graph>, graph, Item>>();
   }
   return info;
 }

@@ -13,7 +13,7 @@ struct modes_bad_mode {
   }
   static constexpr bool is_broken(when::stated_mode, const flat_view& g, const finding& f) {
     const auto& one = g.modes->modes[f.in_mode];
-    return !one.is_mode || one.is_deployment || !is_name(one.name) ||
+    return !one.is_mode || one.is_deployment || one.is_set || !is_name(one.name) ||
            g.modes->number_of(one.name) != f.in_mode;
   }
 
@@ -37,6 +37,9 @@ struct modes_bad_mode {
       m.say() << "mode `" << one.name << "` of " << all.name
               << " is a deployment, whose environments would be ignored: give its architecture instead, "
               << one.type;
+    } else if (one.is_set) {
+      m.say() << "mode `" << one.name << "` of " << all.name << " is a set of modes, " << one.type
+              << ", but one set holds all modes: list its modes in " << all.name << " instead of it";
     } else if (one.name.empty()) {
       m.say() << "a mode of " << all.name << " has no name, so nothing could switch to it: give it one";
     } else if (!is_name(one.name)) {
