@@ -12,12 +12,12 @@ struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"rest", rest>> {};
 
 struct moves : cca::modes<
 #if CCA_REJECT
-                 cca::mode<"legs", legs>,
+                   cca::mode<"legs", legs>,
 #else
-                 cca::mode<"walk", walk>,
-                 cca::mode<"rest", rest>,
+                   cca::mode<"walk", walk>,
+                   cca::mode<"rest", rest>,
 #endif
-                 cca::mode<"fall", fall>> {
+                   cca::mode<"fall", fall>> {
 };
 
 struct split : cca::deployment<moves, cca::environment<"one", cca::other_nodes>> {};

@@ -24,7 +24,8 @@ struct draw {
   double argument(int i, double usual) {
     if (i % 8 == 7) return std::bit_cast<double>(bits());
     const double x = (unit() - 0.5) * 2 * usual;
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(i % 8 == 6 ? x * 1000 : x) ^ (bits() & 0xffffff));
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(i % 8 == 6 ? x * 1000 : x) ^
+                                 (bits() & 0xffffff));
   }
 };
 

@@ -61,9 +61,9 @@ struct component_info {
   int asked_path_count = 0;
   std::string_view wrong_arity{};  // of a skeleton whose parts don't fit together: the rest of the message
   bool is_set_of_modes = false;
-  bool limits_commands = false;    // a limiter: its output may reach an actuator
-  bool preserves_limits = false;   // a splitter, a collector: outputs keep the limits of the inputs
-  bool moves_nothing = false;      // a publisher: its `act` tells others, and is no actuator
+  bool limits_commands = false;   // a limiter: its output may reach an actuator
+  bool preserves_limits = false;  // a splitter, a collector: outputs keep the limits of the inputs
+  bool moves_nothing = false;     // a publisher: its `act` tells others, and is no actuator
   // Why an input can't take a constant that its writer may publish; empty: it can. Null: it takes all.
   std::string_view (*refusal)(std::string_view input, double constant) = nullptr;
   constexpr std::string_view name() const { return without_namespaces(spelled_type); }

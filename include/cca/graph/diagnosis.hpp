@@ -64,10 +64,11 @@ consteval Report make_report() {
     r = {m.where, m.message};
   } else if constexpr (requires { typename Type::cca_architecture; }) {
     r.where << type_name<Type>();
-    r.message << broken_by<Type>() << ": `" << type_name<typename Type::cca_architecture>() << "` in "
-              << type_name<Type>()
-              << " is no graph: the first argument of cca::deployment is the architecture, a struct derived "
-                 "from cca::graph<...> or, of several modes, from cca::modes<...>, and the environments follow";
+    r.message
+        << broken_by<Type>() << ": `" << type_name<typename Type::cca_architecture>() << "` in "
+        << type_name<Type>()
+        << " is no graph: the first argument of cca::deployment is the architecture, a struct derived "
+           "from cca::graph<...> or, of several modes, from cca::modes<...>, and the environments follow";
   } else {
     r.where << type_name<Type>();
     r.message

@@ -30,7 +30,8 @@ long how_many() {
   return wanted ? std::atol(wanted) : 4000;
 }
 
-// With random last bits: the distribution has those of a number near the bounds, so of a small one they are 0.
+// With random last bits: the distribution has those of a number near the bounds, so of a small one they are
+// 0.
 double uniform(generator& random, double low, double high) {
   const double x = std::uniform_real_distribution<double>(low, high)(random);
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (random() & 0xffffff));
@@ -69,7 +70,7 @@ arguments near_quarters(generator& random) {
 // Doubles that are especially near to a multiple of pi / 2, of all exponents: convergents of 2^e / (pi / 2).
 arguments near_far_quarters(generator& random) {
   constexpr double found[] = {0x1.6ac5b262ca1ffp+849, 0x1.836db670594p+1000, 0x1.3315953d382p+682,
-                              0x1.c818ac6be76p+502,   0x1.6ac5b262ca1ffp+850};
+                              0x1.c818ac6be76p+502, 0x1.6ac5b262ca1ffp+850};
   return {found[std::uniform_int_distribution<std::size_t>(0, std::size(found) - 1)(random)], 0};
 }
 arguments about_one(generator& random) {

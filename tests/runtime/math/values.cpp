@@ -123,12 +123,14 @@ TEST_CASE("a float is computed in double") {
   static_assert(std::same_as<decltype(math::sin(1.0f)), float>);
 }
 
-// Of any argument: a constant expression may not compute what is NaN or too large, not even beside its result.
+// Of any argument: a constant expression may not compute what is NaN or too large, not even beside its
+// result.
 namespace {
-constexpr std::array any{0.0,   -0.0,   5e-324, 1e-310,  -1e-200, 1e-20,   0.3,   -0.5,  1.0,   -1.0,
-                         1.5,   2.5,    -3.0,   100.0,   709.7,   709.9,   711.0, -745., -746., 1.7e6,
-                         1e15,  4.6e15, 1e22,   -1e300,  infinite, -infinite, none,
-                         std::numeric_limits<double>::max()};
+constexpr std::array any{
+    0.0,    -0.0,  5e-324, 1e-310,   -1e-200,   1e-20, 0.3,
+    -0.5,   1.0,   -1.0,   1.5,      2.5,       -3.0,  100.0,
+    709.7,  709.9, 711.0,  -745.,    -746.,     1.7e6, 1e15,
+    4.6e15, 1e22,  -1e300, infinite, -infinite, none,  std::numeric_limits<double>::max()};
 
 template <class Function>
 constexpr auto of_one = [] {

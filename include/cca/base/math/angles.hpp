@@ -53,8 +53,8 @@ CCA_INLINE constexpr auto can_reduce(T x) {  // no for NaN
   return magnitude(x) <= 0x1.921fb54442d18p+20;
 }
 
-// x 2 / pi modulo 4 from eight limbs of 2 / pi: 138 bits behind the point are right, and no double is nearer to a
-// multiple of pi / 2 than 2^-62 of it. Finite, |x| >= 2.
+// x 2 / pi modulo 4 from eight limbs of 2 / pi: 138 bits behind the point are right, and no double is nearer
+// to a multiple of pi / 2 than 2^-62 of it. Finite, |x| >= 2.
 [[gnu::noinline]] constexpr reduced<double> reduce_far(double x) {
   CCA_EXACT
   constexpr std::uint32_t two_over_pi[] = {

@@ -95,7 +95,8 @@ template <Real T>
 CCA_INLINE constexpr pair<T> half_arcsine(T size, T small) {
   CCA_EXACT
   const auto is_small = size <= 0.5;
-  const T z = pick(is_small, product(size, size), T(0.5 * (1 - size))), root = sqrt(z), high = upper_26(root);
+  const T z = pick(is_small, product(size, size), T(0.5 * (1 - size))), root = near_sqrt(z),
+          high = upper_26(root);
   const T lost = (z - product(high, high)) / (root + pick(z == 0, 1.0, high));  // root is high + lost
   const T r = pick(is_small, small, root);
   const T rest = product(product(r, z), polynomial(z, arcsine_terms));

@@ -16,7 +16,7 @@ namespace detail {
 // By hand: two digits of x give one of the root, and one more than a double has says how it is rounded.
 constexpr double constant_square_root(double x) {
   CCA_EXACT
-  if (!(x > 0) || x == infinite) return x >= 0 ? x : not_a_number;
+  if (!(x > 0) || x == infinite) return x;
   const bool is_subnormal = x < 0x1p-1022;
   const std::int64_t all = bits(is_subnormal ? x * 0x1p54 : x);
   const std::int64_t exponent = (all >> 52) - (is_subnormal ? 1023 + 54 : 1023), half = exponent >> 1;
@@ -30,17 +30,22 @@ constexpr double constant_square_root(double x) {
   }
   return static_cast<double>((root + 1) >> 1) * power_of_two<double>(half - 52);
 }
+// Of x >= 0; of others no NaN in particular.
+template <Real T>
+CCA_INLINE constexpr T near_sqrt(T x) {
+  if constexpr (std::same_as<T, double>) {
+    if (std::is_constant_evaluated()) return constant_square_root(x);
+    return magnitude(cca::detail::square_root_of(x));
+  } else {
+    return magnitude(cca::detail::square_roots_of(x));
+  }
+}
 
 }  // namespace detail
 
 template <Real T>
 CCA_INLINE constexpr T sqrt(T x) {
-  if constexpr (std::same_as<T, double>) {
-    if (std::is_constant_evaluated()) return detail::constant_square_root(x);
-    return detail::where(x >= 0, detail::with_sign_of(x, cca::detail::square_root_of(x)));
-  } else {
-    return detail::where(x >= 0, detail::with_sign_of(x, cca::detail::square_roots_of(x)));
-  }
+  return detail::where(x >= 0, detail::with_sign_of(x, detail::near_sqrt(x)));
 }
 
 namespace detail {
@@ -61,7 +66,7 @@ CCA_INLINE constexpr T to_whole(T size) {
 template <Real T>
 CCA_INLINE constexpr T near_hypot(T more, T less) {
   CCA_EXACT
-  const T root = sqrt(T(product(more, more) + product(less, less)));
+  const T root = near_sqrt(T(product(more, more) + product(less, less)));
   const T mh = upper_26(more), lh = upper_26(less), rh = upper_26(root);
   const T low = product(T(more - mh), T(more + mh)) - product(T(root - rh), T(root + rh)) +
                 product(T(less - lh), T(less + lh));

@@ -23,7 +23,8 @@
 #error "math.fast: with -ffast-math a program computes other bits on each machine: compile without it"
 #elif defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) || \
     __FINITE_MATH_ONLY__
-#error "math.fast: a part of -ffast-math is on, so a program computes other bits, or wrong ones: compile without it"
+#error \
+    "math.fast: a part of -ffast-math is on, so a program computes other bits, or wrong ones: compile without it"
 #elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
 #error "math.fast: doubles are computed with more bits here, as by -mfpmath=387: compile with -mfpmath=sse"
 #endif
@@ -113,8 +114,8 @@ CCA_INLINE constexpr T where(Condition condition, T result) {
   else return from_bits<T>(condition ? bits(result) : word<T>{} + bits(not_a_number));
 }
 
-// A constant expression may compute nothing that is NaN or too large, not even beside its result. So a function
-// asks whether its argument must be treated apart there; at run time none is.
+// A constant expression may compute nothing that is NaN or too large, not even beside its result. So a
+// function asks whether its argument must be treated apart there; at run time none is.
 template <class Condition>
 CCA_INLINE constexpr bool is_odd_constant(Condition is_usual) {
   return std::is_constant_evaluated() && !everywhere(is_usual);

@@ -9,8 +9,8 @@ namespace cca::detail {
 
 struct mode_info {
   std::string_view name{};
-  std::string_view type{};        // of its graph, or of an item that is no mode
-  ref<flat_view> plan = nullptr;  // of its graph; null: it has none
+  std::string_view type{};                                      // of its graph, or of an item that is no mode
+  ref<flat_view> plan = nullptr;                                // of its graph; null: it has none
   bool is_mode = false, is_deployment = false, is_set = false;  // a set of modes again
 };
 
