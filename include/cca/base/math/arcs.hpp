@@ -1,6 +1,6 @@
 // atan, atan2, asin, acos, in radians. Straight-line: no branch, no table.
 //
-// Errors: at most 0.95 units in the last place; figures of many arguments in docs/math.md. NaN gives NaN, as
+// Errors: at most 0.85 units in the last place; figures of many arguments in docs/math.md. NaN gives NaN, as
 // does asin and acos of more than 1. atan2 as the C standard has it, with signs of zeros and infinite
 // arguments. Templates on the scalar: double, float (computed in double), lanes.
 //
