@@ -231,6 +231,8 @@ void observe_newest(const controller_state<Graph>& state, std::int64_t k, F& f) 
   constexpr const space_info& space = *output_port_of<Graph, Output>.space;
   const auto& stored = sample_in<Graph, at.array>(state, at.index);
   const auto* sample = stored.show(k - 1, 0);
+  if constexpr (output_of<Graph, Output>.initial_of)  // it shows that of a wire
+    if (sample && sample->origin() == never) sample = nullptr;
   alignas(alignment_of_room) unsigned char room[room_of_sample(space.size)];
   f(observation{path_of_watched_output<Graph, Output>.view(),
                 {sample ? sample->vector().data() : space.zero, array_size(space.size)},

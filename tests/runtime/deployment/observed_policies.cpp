@@ -50,7 +50,45 @@ struct watched_apart : cca::deployment<watched,
                                        cca::environment<"two", cca::nodes<"b">>> {};
 struct once_more : cca::graph<cca::rate<1000>, cca::node<"a", counter>, cca::observe<"a.*", cca::queue<3>>> {
 };
+// The same twice, and an input of the same component that has such a queue, too.
+struct looped : cca::graph<cca::rate<1000>,
+                           cca::node<"a", counter>,
+                           cca::node<"b", relay, cca::timed<2>>,
+                           cca::wire<"b.y", "b.x", cca::delayed<1>, cca::queue<3>>,
+                           cca::observe<"a.y", cca::queue<3>>,
+                           cca::observe<"a.*", cca::queue<3>>,
+                           cca::observe<"b.y", cca::delayed<1>, cca::queue<3>>> {};
+struct looped_modes : cca::modes<cca::mode<"one", looped>, cca::mode<"two", once_more>> {};
 struct in_modes : cca::modes<cca::mode<"one", watched>, cca::mode<"two", once_more>> {};
+
+// What a component publishes is of another space than what it reads. Nobody has published yet what `slow`
+// tells: its reader begins with 5, but that is the wire's value.
+struct three : cca::space<cca::number, cca::axes<cca::x, cca::y, cca::z>> {};
+struct narrow {
+  auto process(cca::in<"x", three> x) -> cca::out<"y", number> { return x[cca::z{}]; }
+};
+struct wide {
+  auto process(cca::in<"x", number> x) -> cca::out<"y", three> {
+    cca::out<"y", three> y;
+    y.vector() << x[cca::x{}], 2 * x[cca::x{}], 3 * x[cca::x{}];
+    return y;
+  }
+};
+struct reader {
+  void process(cca::in<"x", number>) {}
+};
+struct of_other_spaces : cca::graph<cca::rate<1000>,
+                                    cca::node<"a", counter>,
+                                    cca::node<"wide", wide>,
+                                    cca::node<"narrow", narrow>,
+                                    cca::node<"slow", counter, cca::timed<10, 9>>,
+                                    cca::node<"reader", reader, cca::timed<1>>,
+                                    cca::wire<"a.y", "wide.x">,
+                                    cca::wire<"wide.y", "narrow.x">,
+                                    cca::wire<"slow.y", "reader.x", cca::latest, cca::initial<5>>,
+                                    cca::observe<"wide.y", cca::delayed<1>>,
+                                    cca::observe<"narrow.*", cca::queue<2>>,
+                                    cca::observe<"slow.y">> {};
 
 template <class Played>
 std::vector<std::string> told(Played& c) {
@@ -115,6 +153,31 @@ TEST_SUITE("policies of what is observed") {
       CHECK_EQ(is, expected);
     }
     CHECK_EQ(one.dropped(), d.dropped());
+  }
+
+  TEST_CASE("of the graph: the space is that of the output, whatever its component reads") {
+    auto c = running<cca::controller<of_other_spaces>>();
+    c.run(cca::for_beats<4>{});
+    std::vector<std::string> all;
+    c.observed([&](const cca::observation& o) {
+      std::ostringstream text;
+      text << o.path;
+      for (const double value : o.values) text << ' ' << value;
+      text << ' ' << o.axes().size() << ' ' << (o.origin == cca::never);
+      all.push_back(text.str());
+    });
+    CHECK_EQ(all, std::vector<std::string>{"slow.y 0 1 1", "wide.y 3 6 9 3 0", "narrow.y 9 1 0"});
+  }
+
+  TEST_CASE("of the graph: each pattern has a queue of its own, in modes too") {
+    auto one = running<cca::controller<looped>>();
+    auto m = running<cca::controller<looped_modes>>();
+    for (int i = 0; i < 6; ++i) {
+      one.run(cca::for_some_beats{i});
+      m.run(cca::for_some_beats{i});
+      CHECK_EQ(told(m), told(one));
+    }
+    CHECK_EQ(one.dropped(), m.dropped());
   }
 
   TEST_CASE("of the graph: another thread sees the newest sample, and takes nothing") {

@@ -21,11 +21,13 @@ inline constexpr const port_info& input_port_of =
 
 template <class Graph, int Output>
 inline constexpr int size_of_output = output_port_of<Graph, Output>.space->size;
-// What an input reads: the space of its port, or, by an observer, of what it hears.
+// What an input reads: the space of its port, or, by an observer, of what it hears. What a program hears has
+// no port.
 template <class Graph, int Input>
 inline constexpr const space_info& space_of_input = []() -> const space_info& {
-  if constexpr (const auto& own = input_port_of<Graph, Input>; own.space) return *own.space;
-  else {
+  if constexpr (!input_of<Graph, Input>.outside && input_port_of<Graph, Input>.space) {
+    return *input_port_of<Graph, Input>.space;
+  } else {
     constexpr const link& heard = plan_of<Graph>.links[Input - counts_of<Graph>.first_link];
     if constexpr (heard.input < 0) return *output_port_of<Graph, heard.output>.space;
     else return *input_port_of<Graph, heard.input>.space;

@@ -193,20 +193,29 @@ struct sharing {
   // Several wires may lead into its queue, other ones in another mode.
   static constexpr bool is_for_many(const input& in) { return in.wire->policy == policy_kind::merged; }
 
-  // The queue of an input among those of all modes; if there is none, the number of the next one.
+  // The queue of an input among those of all modes; if there is none, the number of the next one. What a
+  // program hears by several patterns has a queue for each.
   static constexpr int find_queue(const mode_view& view, int i, const flat_view& whole) {
     const auto& in = view.g.inputs[i];
     const int call = view.shared_call(in.call);
     const int writer = is_for_many(in) ? -1 : view.shared_output(in.writer);
+    int earlier = 0;
+    for (int other = view.g.first_link; in.outside && other < i; ++other)
+      earlier += view.g.inputs[other].outside && has_equal_queue(view.g.inputs[other], in) &&
+                 view.g.inputs[other].writer == in.writer;
     int q = 0;
     for (; q < whole.input_count; ++q) {
       const auto& own = whole.inputs[q];
-      if (own.call == call && own.port == in.port && own.way_of < 0 && own.writer == writer &&
-          is_for_many(own) == is_for_many(in) && own.wire->capacity == in.wire->capacity &&
-          own.wire->full == in.wire->full && (is_for_many(in) || own.delay == in.delay))
+      if (own.outside == in.outside && own.call == call && own.port == in.port && own.way_of < 0 &&
+          own.writer == writer && has_equal_queue(own, in) && earlier-- == 0)
         break;
     }
     return q;
+  }
+  static constexpr bool has_equal_queue(const input& a, const input& b) {
+    return a.queue >= 0 && b.queue >= 0 && is_for_many(a) == is_for_many(b) &&
+           a.wire->capacity == b.wire->capacity && a.wire->full == b.wire->full &&
+           (is_for_many(b) || a.delay == b.delay);
   }
   // The same of a delayed way into it.
   static constexpr int find_way(const mode_view& view, int i, const flat_view& whole) {
