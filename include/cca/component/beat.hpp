@@ -9,11 +9,14 @@
 #include <cca/base/assumed.hpp>
 
 namespace cca {
+namespace detail {
+struct beat_of_seconds;
+}
 
 class beat {
 public:
   constexpr beat(std::int64_t index, std::int64_t period, std::int64_t beats_since)
-      : k(index), T(period), since(beats_since) {}
+      : beat(index, period, seconds(period, beats_since)) {}
 
   // Made in a test, maybe from seconds: refused, since they would be cut to whole numbers.
   template <class Index, class Period, class Since>
@@ -35,10 +38,35 @@ public:
   constexpr std::int64_t period() const { return T; }
 
   // Seconds since this component last fired (the first time: N beats for timed<N>, else one beat).
-  constexpr double dt() const { return static_cast<double>(since * T) / 1e9; }
+  constexpr double dt() const { return since; }
 
 private:
-  std::int64_t k, T, since;
+  friend struct detail::beat_of_seconds;
+  struct duration {
+    double in_seconds;
+  };
+  static constexpr duration seconds(std::int64_t period, std::int64_t beats) {
+    return {static_cast<double>(beats * period) / 1e9};
+  }
+  constexpr beat(std::int64_t index, std::int64_t period, duration d)
+      : k(index), T(period), since(d.in_seconds) {}
+
+  std::int64_t k, T;
+  double since;
 };
+
+namespace detail {
+
+// A beat whose dt is known in seconds: where it is one of two constants, no beat divides.
+struct beat_of_seconds {
+  static constexpr double seconds(std::int64_t period, std::int64_t beats) {
+    return beat::seconds(period, beats).in_seconds;
+  }
+  static constexpr beat make(std::int64_t index, std::int64_t period, double dt) {
+    return beat(index, period, beat::duration{dt});
+  }
+};
+
+}  // namespace detail
 
 }  // namespace cca

@@ -30,10 +30,15 @@ CCA_INLINE constexpr bool ticks(std::int64_t k) {
   else return k >= Clock.first && (k - Clock.first) % Clock.period == 0;
 }
 
+template <std::int64_t Period>
 struct firing {
   bool is_now = false;
-  std::int64_t beats_since = 0;  // the last one
-  std::int64_t last = -1;        // beat of the last one; -1: none
+  double dt = 0;           // s, since the last one
+  std::int64_t last = -1;  // beat of the last one; -1: none
+
+  CCA_INLINE firing() = default;
+  CCA_INLINE firing(bool now, std::int64_t beats_since, std::int64_t last_beat)
+      : is_now(now), dt(beat_of_seconds::seconds(Period, beats_since)), last(last_beat) {}
 };
 
 template <class Results>
@@ -69,6 +74,8 @@ struct component_call_of<Graph,
   using component = typename types::component;
   using result = typename function_called<Graph, Call>::result;
 
+  using firing = detail::firing<period>;
+
   const beat_context<Graph>& b;
   const call_place& at;
 
@@ -102,7 +109,26 @@ private:
   CCA_INLINE firing fires() const {
     if constexpr (part >= 0)
       if (b.rests[array_size(part)] && !is_played()) return {};
-    return fires_while_started();
+    firing now = fires_while_started();
+    if constexpr (c.may_miss)
+      if (b.is_after_missed) [[unlikely]]
+        if (now.is_now) correct(now);
+    return now;
+  }
+  // It missed the firing that its clock tells.
+  CCA_INLINE void correct(firing& now) const {
+    const missed_firing& missed = b.state.missed[array_size(at.missed)];
+    std::int64_t beats = c.own_clock.period, before = -1;
+    if constexpr (c.own_clock.dynamic()) beats = b.k - now.last;  // in a deployment: of the whole it is known
+    const std::int64_t tick = b.k - beats;
+    if (missed.in != tick) return;
+    if constexpr (c.own_clock.known()) {
+      if (tick < known_since()) return;
+      if constexpr (runs_in_cycles<Graph>) beats = b.state.beats_since;
+    }
+    if constexpr (part >= 0) before = b.state.parts[array_size(part)].since - 1;
+    now = missed.last >= 0 ? firing(true, beats + missed.beats, missed.last)
+                           : firing(true, first_beats, before);
   }
   // Settled at compile time if the clock is known; else its strategy is asked.
   CCA_INLINE firing fires_while_started() const {
@@ -128,9 +154,8 @@ private:
       if constexpr (part >= 0) own.is_first = false;
       return {true, beats, last};
     } else {
-      constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy_while_started();
       constexpr std::int64_t beats = c.own_clock.period;
-      constexpr bool is_period = beats == 1 || (strategy && strategy->first_dt_is_period);
+      constexpr bool is_period = first_beats == beats;
       const bool is_now = ticks<c.own_clock>(b.k);
       if constexpr (c.unsteady || part >= 0) {
         // Before the switch to this mode it fired at other beats, or not at all; and its part may have
@@ -157,6 +182,11 @@ private:
       }
     }
   }
+  // Since it last fired, the first time.
+  static constexpr std::int64_t first_beats = [] {
+    const auto strategy = plan_of<Graph>.nodes[c.node].item->strategy_while_started();
+    return c.own_clock.known() && strategy && strategy->first_dt_is_period ? c.own_clock.period : 1;
+  }();
   // In a replay what was published arrives, whether its component rests meanwhile or not.
   CCA_INLINE bool is_played() const {
     return played_call<typename as_planned<Graph>::type, Call>::is_now(b.state);
@@ -177,7 +207,7 @@ private:
   template <std::size_t... I>
   CCA_INLINE result call(const firing& now, std::index_sequence<I...>) const {
     using ports = function_ports<list<Parameters...>, list<>>;
-    [[maybe_unused]] const beat time{this_beat(), period, now.beats_since};
+    [[maybe_unused]] const beat time = beat_of_seconds::make(this_beat(), period, now.dt);
     auto& self = component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
     if constexpr (c.phase == phase_of_beat::process)
       CCA_INLINE_CALL return self.process(

@@ -12,6 +12,7 @@
 #include <cca/graph/traceable.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/loop_host.hpp>
+#include <cca/runtime/note_missed.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/recording/beat_tap.hpp>
 #include <cca/runtime/refusal.hpp>
@@ -135,6 +136,7 @@ private:
     if constexpr (detail::counts_of<Graph>.may_fault)
       if (outcome.fault) {
         detail::repeat_outputs<Graph>(state_of_all, k - 1);
+        detail::note_missed<Graph>(state_of_all, k - 1, outcome.turns);
         if constexpr (has_requests) detail::forget_requests(state_of_all);
         host::fail(outcome);
       }

@@ -20,6 +20,17 @@ CCA_INLINE bool goes_on(const beat_outcome& outcome) {
   return true;
 }
 
+// The same after the call of this rank, and where another environment lets no further call have its turn.
+CCA_INLINE bool goes_on_after(beat_outcome& outcome, int rank) {
+  if (outcome.fault) [[unlikely]]
+    return outcome.turns = rank + 1, false;
+  return true;
+}
+CCA_INLINE bool ends_before(beat_outcome& outcome, int rank) {
+  outcome.turns = std::min(outcome.turns, rank);
+  return false;
+}
+
 // What has been under way arrives. False: a queue was full that must not be, and the beat ends here.
 template <class Graph>
 CCA_INLINE bool begins(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
@@ -52,16 +63,17 @@ private:
   // elsewhere.
   CCA_INLINE static void run_calls([[maybe_unused]] const beat_context<Graph>& b) {
     if constexpr (requires { b.state.template is_due<0>(b.k, b.outcome, trace_of<Graph>(b.state)); })
-      (void)((b.state.template is_due<First + Rank>(b.k, b.outcome, trace_of<Graph>(b.state)) &&
+      (void)(((b.state.template is_due<First + Rank>(b.k, b.outcome, trace_of<Graph>(b.state)) ||
+               ends_before(b.outcome, First + Rank)) &&
               (call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
                    b, layout_of<Graph>.calls[call_at(First + Rank)]),
-               goes_on(b.outcome) ? b.state.template is_done<First + Rank>(b.k)
-                                  : b.state.template is_faulted<First + Rank>())) &&
+               goes_on_after(b.outcome, First + Rank) ? b.state.template is_done<First + Rank>(b.k)
+                                                      : b.state.template is_faulted<First + Rank>())) &&
              ...);
     else if constexpr (counts_of<Graph>.may_fault)
       (void)((call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
                   b, layout_of<Graph>.calls[call_at(First + Rank)]),
-              goes_on(b.outcome)) &&
+              goes_on_after(b.outcome, First + Rank)) &&
              ...);
     else
       (call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
@@ -106,6 +118,7 @@ template <class Graph>
 CCA_INLINE void run_beat_of_graph(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
   if constexpr (late_queues<Graph>::size() == 0) beat_of_graph<Graph>::run(state, outcome, k);
   else if (begins<Graph>(state, outcome, k)) beat_of_graph<Graph>::run(state, outcome, k);
+  else outcome.turns = 0;
 }
 
 }  // namespace cca::detail

@@ -11,6 +11,7 @@
 #include <cca/base/array_size.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/graph/recordable.hpp>
+#include <cca/runtime/missed_firings.hpp>
 #include <cca/runtime/samples/arriving_samples.hpp>
 #include <cca/runtime/samples/kept_component.hpp>
 #include <cca/runtime/samples/queued_samples.hpp>
@@ -229,6 +230,7 @@ struct state_of<Graph, std::integer_sequence<int, Component...>, std::integer_se
     : component_array<Graph, Component>...,
       stored_array<Graph, Array>...,
       last_firings<layout_of<Graph>.firing_count>,
+      missed_firings<layout_of<Graph>.missed_count>,
       kept_strategies<Graph> {};
 
 // What outlives a beat.
@@ -279,6 +281,7 @@ CCA_INLINE auto& strategy_in(State& state) {
 struct beat_outcome {
   const char* fault = nullptr;  // the reason; null: the beat went through
   int node = -1;                // the component that stated it
+  int turns = all_turns;        // so many calls had their turn
 };
 
 // The arrays of samples that end with the beat. They are written before they are read, by the order of the
@@ -295,7 +298,9 @@ template <class Graph, class BeatArrays = beat_arrays<Graph>>
 struct beat_context;
 template <class Graph, int... BeatArray>
 struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
-    : reference_to_array<Graph, BeatArray>..., resting_parts<parts_kept<Graph>> {
+    : reference_to_array<Graph, BeatArray>...,
+      resting_parts<parts_kept<Graph>>,
+      after_missed<layout_of<Graph>.missed_count> {
   controller_state<Graph>& state;
   beat_outcome& outcome;
   std::int64_t k;
@@ -306,6 +311,8 @@ struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
                           stored_array<Graph, BeatArray>&&... samples)
       : reference_to_array<Graph, BeatArray>{samples}...,
         resting_parts<parts_kept<Graph>>(static_cast<const part_states<parts_kept<Graph>>&>(s)),
+        after_missed<layout_of<Graph>.missed_count>(
+            static_cast<const missed_firings<layout_of<Graph>.missed_count>&>(s), beat),
         state(s),
         outcome(o),
         k(beat) {}

@@ -3,6 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "counting.hpp"
 
@@ -102,9 +105,98 @@ struct filling : cca::graph<cca::rate<1000>,
                             cca::wire<"writer.y", "reader.x", cca::queue<2, cca::reject>>,
                             cca::wire<"reader.y", "device.x", cca::latest>> {};
 
+// When it fired, and what it was told of the time since then.
+struct timekeeper {
+  std::vector<std::int64_t> beats{}, told{};  // told: in beats
+  std::vector<bool> fresh{};
+  void note(cca::beat now) {
+    beats.push_back(now.index());
+    told.push_back(std::llround(now.dt() * 1e9 / static_cast<double>(now.period())));
+  }
+  bool is_right(std::int64_t first) const {
+    for (std::size_t i = 0; i < beats.size(); ++i)
+      if (told[i] != (i == 0 ? first : beats[i] - beats[i - 1])) return false;
+    return true;
+  }
+};
+struct source_of_time : timekeeper {
+  auto process(cca::beat now) -> cca::out<"y", reading> { return note(now), 1; }
+};
+struct sink_of_time : timekeeper {
+  void process(cca::in<"x", reading> x, cca::beat now) {
+    note(now);
+    fresh.push_back(x.fresh());
+  }
+};
+struct failing_when_told {
+  auto process(cca::in<"x", reading>, cca::beat now) -> cca::fault {
+    return std::ranges::count(fails_in, now.index()) > 0 ? cca::fault("as planned") : cca::fault();
+  }
+  std::vector<std::int64_t> fails_in{};
+};
+// Before and after the fault, at several clocks, in a part, and by a deduced clock.
+struct keeps_time : cca::graph<cca::rate<1000>,
+                               cca::node<"before", source_of_time, cca::timed<4>>,
+                               cca::node<"fails", failing_when_told, cca::timed<1>>,
+                               cca::node<"each", source_of_time, cca::timed<1>>,
+                               cca::node<"third", source_of_time, cca::timed<3, 2>>,
+                               cca::node<"deduced", sink_of_time>,
+                               cca::node<"looks", sink_of_time, cca::timed<1>>,
+                               cca::node<"part", source_of_time, cca::stoppable<cca::timed<2>>>,
+                               cca::node<"occasional", sink_of_time>,
+                               cca::wire<"before.y", "fails.x", cca::latest>,
+                               cca::wire<"third.y", "deduced.x">,
+                               cca::wire<"before.y", "looks.x", cca::latest>,
+                               cca::wire<"part.y", "occasional.x">> {};
+
 }  // namespace
 
 TEST_SUITE("faults") {
+  TEST_CASE("after a fault dt() is the time since a component last fired, and fresh what came since then") {
+    // In one beat, in several one after another, in the first, and in some more than a period apart.
+    for (const std::vector<std::int64_t>& faults : {std::vector<std::int64_t>{},
+                                                    {5},
+                                                    {0},
+                                                    {2},
+                                                    {8},
+                                                    {4, 5, 6, 7, 8, 9},
+                                                    {5, 8, 11, 14},
+                                                    {0, 1, 2, 3, 17}}) {
+      CAPTURE(faults);
+      auto c = started<keeps_time>();
+      c.get<"fails">().fails_in = faults;
+      while (c.beat_index() < 30) {
+        if (c.state() == cca::state::faulted) {
+          const auto copy = c;  // a snapshot
+          c = copy;
+          c.resume();
+        }
+        if (c.beat_index() == 20) c.stop<"part">();
+        if (c.beat_index() == 23) c.start<"part">();
+        c.step();
+      }
+      CHECK(c.get<"before">().is_right(4));
+      CHECK(c.get<"each">().is_right(1));
+      CHECK(c.get<"third">().is_right(3));
+      CHECK(c.get<"deduced">().is_right(1));
+      CHECK(c.get<"looks">().is_right(1));
+      CHECK(c.get<"occasional">().is_right(1));
+      const auto& part = c.get<"part">();
+      for (std::size_t i = 1; i < part.beats.size(); ++i)
+        CHECK_EQ(part.told[i],
+                 part.beats[i - 1] < 20 && part.beats[i] >= 23 ? 2 : part.beats[i] - part.beats[i - 1]);
+      // `before` comes before the fault, so what it published in that beat is fresh in the next.
+      const auto& looks = c.get<"looks">();
+      const auto& before = c.get<"before">().beats;
+      for (std::size_t i = 0; i < looks.beats.size(); ++i) {
+        const std::int64_t last = i == 0 ? -1 : looks.beats[i - 1];
+        CHECK_EQ(looks.fresh[i], std::ranges::any_of(before, [&](std::int64_t k) {
+                   return k > last && k <= looks.beats[i];
+                 }));
+      }
+    }
+  }
+
   TEST_CASE("a component faults") {
     auto c = started<stage>();
     c.get<"checks.check">().limit = 4;

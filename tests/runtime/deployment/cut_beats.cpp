@@ -14,8 +14,11 @@ namespace {
 struct number : cca::space<cca::number, cca::axes<cca::x>> {};
 
 struct source {
-  double n = 0;
-  auto process(cca::beat) -> cca::out<"y", number> { return ++n; }
+  double n = 0, time = 0;
+  auto process(cca::beat now) -> cca::out<"y", number> {
+    time += now.dt();
+    return ++n;
+  }
 };
 // Faults in one beat.
 struct faults {
@@ -28,12 +31,17 @@ struct faults {
   }
 };
 struct relay {
-  auto process(cca::in<"x", number> x) -> cca::out<"y", number> { return 2 * x[cca::x{}]; }
+  double time = 0;
+  auto process(cca::in<"x", number> x, cca::beat now) -> cca::out<"y", number> {
+    time += now.dt();
+    return 2 * x[cca::x{}];
+  }
 };
 struct reader {
   std::int64_t fresh = 0;
-  double sum = 0;
-  auto process(cca::in<"x", number> x, cca::in<"late", number> late) -> cca::out<"y", number> {
+  double sum = 0, time = 0;
+  auto process(cca::in<"x", number> x, cca::in<"late", number> late, cca::beat now) -> cca::out<"y", number> {
+    time += now.dt();
     fresh += x.fresh() + 100 * late.fresh();
     sum = 0.5 * sum + x[cca::x{}] + late[cca::x{}];
     return sum;
@@ -65,7 +73,8 @@ std::vector<std::string> story(int beat) {
   const auto tell = [&] {
     std::ostringstream text;
     text << c.beat_index() << ' ' << cca::to_string(c.state()) << ' ' << c.template get<"reader">().fresh
-         << ' ' << c.template get<"reader">().sum;
+         << ' ' << c.template get<"reader">().sum << ' ' << c.template get<"reader">().time << ' '
+         << c.template get<"relay">().time << ' ' << c.template get<"source">().time;
     c.observed([&](const cca::observation& o) {
       text << ' ' << o.path << ' ' << o.values[0] << ' ' << o.origin << ' ' << o.fresh;
     });
@@ -88,6 +97,11 @@ TEST_CASE("cut beats: what is observed, and what a reader takes for fresh, is as
     CAPTURE(beat);
     const auto one = story<cca::controller<architecture>>(beat), all = story<cca::deployed<apart>>(beat);
     REQUIRE_EQ(one.size(), all.size());
+    REQUIRE_EQ(one.size(), 6);
+    // The reader fires in each beat: all its dt together are the time of all beats, though one was cut.
+    std::ostringstream time;
+    time << ' ' << 0.001 * (beat == 0 ? 5 : beat + 6) << ' ';
+    CHECK_NE(one.back().find(time.str()), std::string::npos);
     for (std::size_t page = 0; page < one.size(); ++page) CHECK_EQ(one[page], all[page]);
   }
 }

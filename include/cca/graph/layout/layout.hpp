@@ -44,6 +44,7 @@ struct sample_array {
 struct call_place {
   int node = 0, component = 0;  // index in its array
   int firing = -1;              // index of its last firing, or -1
+  int missed = -1;              // index of the firing that it missed, or -1
   int result = -1;              // index of what it returns, or -1
   int first_input = 0, first_output = 0;
 };
@@ -80,7 +81,7 @@ struct layout {
   place sources[array_size(Inputs + 1)]{};     // what the input reads; a queue is its own
   place on_the_way[array_size(Inputs + 1)]{};  // of a way into a queue: what has not arrived yet
   sample_array arrays[array_size(max_arrays)]{};
-  int array_count = 0, firing_count = 0;
+  int array_count = 0, firing_count = 0, missed_count = 0;
 
   using node_keys = first_of_key<Nodes>;
   using call_keys = first_of_key<Calls>;
@@ -202,6 +203,7 @@ struct layout_step {
       to.calls[c] = {one.node,
                      to.components[one.node].index,
                      one.own_clock.dynamic() && !one.elsewhere ? to.firing_count++ : -1,
+                     one.may_miss ? to.missed_count++ : -1,
                      to.results[c].array < 0 ? -1 : to.results[c].index,
                      one.first_input,
                      one.first_output};
@@ -238,9 +240,9 @@ struct layout_step {
   }
 
   constexpr std::uint64_t key_of(const call& c, int result) const {
-    std::uint64_t key =
-        mixed(item_of_call(g, c).strategy_key, to.components[c.node].array, c.phase, c.own_clock.period,
-              c.own_clock.first, c.unsteady, c.other_clocks, result, g.nodes[c.node].part);
+    std::uint64_t key = mixed(
+        item_of_call(g, c).strategy_key, to.components[c.node].array, c.phase, c.own_clock.period,
+        c.own_clock.first, c.unsteady | c.other_clocks << 1 | c.may_miss << 2, result, g.nodes[c.node].part);
     for (int i = c.first_input; i < c.first_input + c.function->input_count; ++i)
       key = mixed(key, to.input_twin[i]);
     for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)

@@ -34,9 +34,11 @@ inline constexpr auto layout_of<Mode> = [] {
   for (int n = 0; n < g.node_count; ++n)
     result.components[n].index = whole.components[view.shared_node(n)].index;
   result.firing_count = whole.firing_count;  // also of functions whose clock is known in this mode
+  result.missed_count = whole.missed_count;
   for (int c = 0; c < g.call_count; ++c) {
     result.calls[c].component = result.components[g.calls[c].node].index;
     result.calls[c].firing = whole.calls[view.shared_call(c)].firing;
+    result.calls[c].missed = whole.calls[view.shared_call(c)].missed;
   }
   for (int o = 0; o < g.output_count; ++o)
     if (const int shared = view.shared_output(o); view.whole.outputs[shared].storage != storage_kind::none)

@@ -62,6 +62,7 @@ struct call {
   // While its part is started. It differs from `fires` if it is known: a part may be stopped at any time.
   clock own_clock{};
   int first_request = 0;     // of those that stop or start parts
+  bool may_miss = false;     // its clock is known, but a beat may end before its turn
   bool tells_taken = false;  // publishes what its inputs take from their queues
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
   bool elsewhere = false;    // runs in another environment

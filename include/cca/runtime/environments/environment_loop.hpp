@@ -20,6 +20,7 @@
 #include <cca/runtime/environments/waiting/beats_of_first.hpp>
 #include <cca/runtime/environments/waiting/beats_of_others.hpp>
 #include <cca/runtime/cut_beat.hpp>
+#include <cca/runtime/note_missed.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/run_record.hpp>
 
@@ -194,6 +195,7 @@ public:
          ++skipped)
       this->in_mode([&]<class Part>() {
         repeat_outputs<Part>(state, index() + skipped - k);
+        if (skipped >= k) note_missed<Part>(state, index() + skipped - k, 0);
         this->template links_in<Part>().repeat_leaving(skipped);
         if (state.is_exact)
           repeat_by_whole<deployment_of_part<Part>, E>(state, skipped, index() + skipped - k);
@@ -283,6 +285,8 @@ private:
         if (outcome.fault || state.is_cut) this->forget_asked();
         else send_requests<D, E>(shared(), state, beat, state.is_exact);
       }
+    if (outcome.turns != all_turns) [[unlikely]]
+      note_missed<mode>(state, index(), outcome.turns);
     if constexpr (counts_of<mode>.may_fault)
       if (outcome.fault)
         state_fault(observers, state.fault_rank, outcome.fault, this->template node_of<mode>(outcome.node));

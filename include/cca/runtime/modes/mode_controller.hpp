@@ -205,6 +205,7 @@ private:
   template <int I>
   [[gnu::noinline]] void fail_in(detail::beat_outcome outcome) noexcept {
     detail::repeat_outputs<part<I>>(state_of_all, k - 1);
+    detail::note_missed<part<I>>(state_of_all, k - 1, outcome.turns);
     state_of_all.requested = -1;
     if constexpr (detail::parts_kept<M> > 0) detail::forget_requests(state_of_all);
     outcome.node = detail::shared_nodes<M, I>[detail::array_size(outcome.node)];

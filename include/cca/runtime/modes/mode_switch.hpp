@@ -120,8 +120,11 @@ struct mode_switch {
     // From here on the clock of this mode does not tell when they fired last.
     for_each<counts.call_count, unsteady_call<M, I>>([&]<int Call>() {
       if (rests(call_of<part, Call>.node)) return;  // when it starts again nothing that was counts
-      if (const auto last = newest_tick(call_of<part, Call>.own_clock, k - 1);
+      if (auto last = newest_tick(call_of<part, Call>.own_clock, k - 1);
           last >= 0 && last >= known_since<Call>(state)) {
+        if constexpr (call_of<part, Call>.may_miss)
+          last = last_fired(state, layout_of<part>.calls[Call].missed, last);
+        if (last < 0) return;
         last_firing& kept = last_firing_of<Call>(state);
         kept.last = last;
         kept.is_first = false;

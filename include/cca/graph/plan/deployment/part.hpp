@@ -4,6 +4,7 @@
 
 #include <cca/graph/layout/types.hpp>
 #include <cca/graph/plan/deployment/place_components.hpp>
+#include <cca/graph/plan/may_miss.hpp>
 #include <cca/graph/plan/plan.hpp>
 #include <cca/graph/traceable.hpp>
 
@@ -53,18 +54,6 @@ inline constexpr heard_count heard_count_of<part<D, E>> = heard_count_of<D>;
 template <class D, int E, int Node>
 struct node_types<part<D, E>, Node> : node_types<D, Node> {};
 
-constexpr bool may_fault_in(const flat_view& g, const call& c) {
-  if (c.function->may_fault) return true;
-  for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
-    for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (const auto& in = g.inputs[i]; in.queue >= 0 && in.delay == 0 && in.wire->full == full_kind::reject)
-        return true;
-  return false;
-}
-// When a beat begins, something may arrive at a queue that rejects it.
-constexpr bool may_fault_at_begin(const input& way) {
-  return is_on_the_way(way) && way.wire->full == full_kind::reject;
-}
 // What is published elsewhere enters this queue in the same beat: one of the two environments is
 // free-running.
 constexpr bool crosses_at_once(const flat_view& g, const input& way) {
@@ -94,6 +83,7 @@ constexpr flat_view take_part(flat_view g, int environment) {
     g.may_fault |= !g.calls[in.call].elsewhere &&
                    (may_fault_at_begin(in) || (crosses_at_once(g, in) && in.wire->full == full_kind::reject));
   }
+  find_missing(g);
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];
     out.storage = storage_kind::none;

@@ -215,6 +215,7 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
     const auto& shared = view.whole.calls[view.shared_call(c)];
     g.calls[c].unsteady = g.calls[c].own_clock.known() && shared.own_clock.dynamic();
     g.calls[c].other_clocks = shared.other_clocks;
+    g.calls[c].may_miss = shared.may_miss && g.calls[c].own_clock.known() && !g.calls[c].own_clock.never();
   }
   for (int i = 0; i < g.input_count; ++i)
     if (auto& in = g.inputs[i]; in.queue >= 0 && in.way_of < 0) {

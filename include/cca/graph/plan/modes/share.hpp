@@ -115,6 +115,7 @@ struct sharing {
       const auto& other = from.calls[from.nodes[n].first_call + c];
       const clock ticks = other.own_clock;
       auto& own = to.calls[node.first_call + c];
+      own.may_miss |= other.may_miss;
       if (!(own.fires == other.fires && own.own_clock == ticks)) {
         own.fires = own.own_clock = dynamic_clock;
         own.other_clocks = true;

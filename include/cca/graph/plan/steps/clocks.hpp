@@ -3,6 +3,7 @@
 
 #include <cca/graph/diagnosis/check.hpp>
 #include <cca/graph/plan/arrivals.hpp>
+#include <cca/graph/plan/may_miss.hpp>
 
 namespace cca::detail {
 
@@ -52,6 +53,8 @@ constexpr flat_view find_clocks(flat_view g) {
     if (t.own_clock.dynamic() && !t.irregular)
       set(c, part_of_call(g, c) >= 0 ? clock_in_part(g, t) : clock_of(g, t));
   }
+
+  find_missing(g);
 
   for (int o = 0; o < g.output_count; ++o) {
     if (g.outputs[o].is_taken) continue;  // a wire brought it here, from an output of this rate

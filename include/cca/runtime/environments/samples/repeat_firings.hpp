@@ -1,8 +1,9 @@
-// A function whose clock is known in the whole architecture counts as fired in a beat that was cut, as in one
-// loop, also where its clock is not known in the part of its environment. So do its outputs count as
-// published.
+// A function whose clock is known in the whole architecture fires next when this clock says so, also after a
+// beat that was cut and where its clock is not known in the part of its environment: for that it counts as
+// fired, and it is noted when it really did. So do its outputs count as published.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -25,13 +26,26 @@ bool is_started_in([[maybe_unused]] const State& state,
 template <class D, int E, class State>
 void repeat_firings([[maybe_unused]] State& state, [[maybe_unused]] std::int64_t beat) {
   if constexpr (layout_of<part<D, E>>.firing_count > 0)
-    for (std::size_t c = 0; c < array_size(counts_of<D>.call_count); ++c)
-      if (const int at = layout_of<part<D, E>>.calls[c].firing;
-          at >= 0 && is_started_in<D, E>(state, plan_of<D>.calls[c], beat) &&
-          ticks(plan_of<D>.calls[c].own_clock, beat)) {
-        state.firings[at].last = beat;
-        state.firings[at].is_first = false;
-      }
+    for (std::size_t c = 0; c < array_size(counts_of<D>.call_count); ++c) {
+      const call_place& at = layout_of<part<D, E>>.calls[c];
+      const call& of_whole = plan_of<D>.calls[c];
+      if (at.firing < 0 || !is_started_in<D, E>(state, of_whole, beat) || !ticks(of_whole.own_clock, beat))
+        continue;
+      last_firing& own = state.firings[at.firing];
+      const int in_part = plan_of<D>.nodes[array_size(of_whole.node)].part;
+      const bool has_fired = own.last >= 0 && (in_part < 0 || !own.is_first);
+      if (has_fired && own.last == beat) continue;
+      if constexpr (layout_of<part<D, E>>.missed_count > 0)
+        if (at.missed >= 0) {
+          missed_firing& missed = state.missed[array_size(at.missed)];
+          if (!has_fired || missed.in != own.last) missed.last = has_fired ? own.last : -1;
+          missed.in = beat;
+          missed.beats = beat - missed.last;
+          state.missed_until = std::max(state.missed_until, beat + of_whole.own_clock.period + 1);
+        }
+      own.last = beat;
+      own.is_first = false;
+    }
 }
 
 template <class D, int E>
