@@ -12,7 +12,6 @@
 #include <cca/graph/traceable.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/loop_host.hpp>
-#include <cca/runtime/missed/note_missed.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/recording/beat_tap.hpp>
 #include <cca/runtime/refusal.hpp>

@@ -1,6 +1,6 @@
 // Which functions may miss a firing: a fault may end a beat before their turn, and an environment of a
 // deployment may also leave out beats. If their clock is known, it does not tell when they fired last
-// (runtime/missed/missed_firings.hpp).
+// (runtime/samples/missed_firings.hpp).
 #pragma once
 
 #include <cca/graph/plan/flat.hpp>

@@ -20,7 +20,6 @@
 #include <cca/runtime/environments/waiting/beats_of_first.hpp>
 #include <cca/runtime/environments/waiting/beats_of_others.hpp>
 #include <cca/runtime/cut_beat.hpp>
-#include <cca/runtime/missed/note_missed.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/run_record.hpp>
 
