@@ -2,12 +2,18 @@
 // replayed in one loop.
 #include <doctest/doctest.h>
 
+#include <string>
+#include <string_view>
 #include <vector>
+
+#include <unistd.h>
 
 #include <cca/deployment.hpp>
 #include <cca/modes.hpp>
+#include <cca/runtime/transports/shared_memory.hpp>
 #include <cca/trace.hpp>
 
+#include "../../laws/process.hpp"
 #include "two_modes.hpp"
 
 using namespace record_test;
@@ -81,6 +87,37 @@ TEST_CASE("the recording of a deployment of modes has each switch once, and is r
       cca::recording::replay<split>(file.name, [](auto& c) { c.template get<"stance">().sum = 1e-3; });
   CHECK(other.component == "stance");
   CHECK(other.beat == 201);
+}
+
+TEST_CASE("over processes each records what it runs, and a replay needs only the robot's file") {
+  const temporary_file of_robot("modes_of_robot"), of_mind("modes_of_mind");
+  const std::string memory = "/cca_recorded_modes_" + std::to_string(::getpid());
+  const auto run = [&](const char* environment, const std::string& into) {
+    cca::deployed<split> d(cca::only{environment}, cca::shared_memory(memory));
+    cca::recording::recorder recording(d, into, {.waits = true});
+    d.load();
+    d.start();
+    d.run(cca::for_beats<250>{});
+    if (std::string_view(environment) == "mind") d.switch_to<"walk">();  // of both
+    d.run(cca::for_beats<150>{});
+    d.stop();
+    recording.close();
+    return recording.problem();
+  };
+  {
+    process mind([&] { return run("mind", of_mind.name); });
+    process robot([&] { return run("robot", of_robot.name); });
+    CHECK(robot.said() == "");
+    CHECK(mind.said() == "");
+  }
+  auto [modes, count] = modes_recorded_in(of_robot.name);
+  CHECK(modes == std::vector<switched>{{0, "walk", false}, {201, "stand", true}, {250, "walk", false}});
+  CHECK(count["/leg/angles"] == 400);
+  CHECK(count["/gait/angles"] == 0);
+  const auto result = cca::recording::replay<split>(of_robot.name);
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == 400);
 }
 
 TEST_CASE("a deployment of modes is traced: each environment tells the switch") {
