@@ -195,9 +195,7 @@ auto gravity_torques(const body_pose<Type>& now, const Eigen::Matrix<double, 3, 
   constexpr int n = body_pose<Type>::size;
   using quantity = detail::recorded_gravity_torques<Type, true>;
   if constexpr (detail::is_recorded<quantity>()) {
-    Eigen::Matrix<double, n, 1> torques;
-    detail::straight_line<quantity>::evaluate({torques.data()}, now.joint_values(), gravity.data());
-    return torques;
+    return detail::recorded_result<quantity, Eigen::Matrix<double, n, 1>>(now.joint_values(), gravity.data());
   } else {
     return detail::torques_at_rest<n>(links, now.links(), gravity);
   }
@@ -207,9 +205,7 @@ auto gravity_torques(const body_pose<Type>& now) {
   constexpr bool weighs = detail::weighed<Type>::has_inertia;
   using quantity = detail::recorded_gravity_torques<Type, false>;
   if constexpr (weighs && detail::is_recorded<quantity>()) {
-    Eigen::Matrix<double, body_pose<Type>::size, 1> torques;
-    detail::straight_line<quantity>::evaluate({torques.data()}, now.joint_values());
-    return torques;
+    return detail::recorded_result<quantity, typename body_pose<Type>::vector_type>(now.joint_values());
   } else {
     return gravity_torques(now, base_motion{}.gravity);
   }

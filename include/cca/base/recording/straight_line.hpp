@@ -121,4 +121,12 @@ public:
   }
 };
 
+// The only result, a vector or a matrix. A function of its own: there no compiler copies it on the way out.
+template <class Algorithm, class Result, class... In>
+inline Result recorded_result(const In*... in) {
+  Result r;
+  straight_line<Algorithm>::evaluate({r.data()}, in...);
+  return r;
+}
+
 }  // namespace cca::detail

@@ -88,9 +88,7 @@ auto coriolis_torques(const body_pose<Type>& now, const typename body_pose<Type>
   using vector = typename body_pose<Type>::vector_type;
   using quantity = detail::recorded_coriolis_torques<Type>;
   if constexpr (weighs && detail::is_recorded<quantity>()) {
-    vector torques;
-    detail::straight_line<quantity>::evaluate({torques.data()}, now.joint_values(), velocities.data());
-    return torques;
+    return detail::recorded_result<quantity, vector>(now.joint_values(), velocities.data());
   } else {
     base_motion weightless;
     weightless.gravity.setZero();

@@ -123,11 +123,9 @@ typename body_pose<Type>::vector_type forward_dynamics(
   using vector = typename body_pose<Type>::vector_type;
   using quantity = detail::recorded_forward_dynamics<Type, true>;
   if constexpr (detail::is_recorded<quantity>()) {
-    vector accelerations;
-    detail::straight_line<quantity>::evaluate(
-        {accelerations.data()}, now.joint_values(), velocities.data(), torques.data(), base.gravity.data(),
+    return detail::recorded_result<quantity, vector>(
+        now.joint_values(), velocities.data(), torques.data(), base.gravity.data(),
         base.angular_velocity.data(), base.angular_acceleration.data(), base.acceleration.data());
-    return accelerations;
   } else if constexpr (detail::has_coupled_joints(links)) {
     const vector bias = inverse_dynamics(now, velocities, vector(vector::Zero()), base).torques;
     return detail::positive_matrix<body_pose<Type>::size>(mass_matrix(now)).solve(vector(torques - bias));
@@ -145,10 +143,8 @@ typename body_pose<Type>::vector_type forward_dynamics(
   constexpr bool weighs = detail::weighed<Type>::has_inertia;
   using quantity = detail::recorded_forward_dynamics<Type, false>;
   if constexpr (weighs && detail::is_recorded<quantity>()) {
-    typename body_pose<Type>::vector_type accelerations;
-    detail::straight_line<quantity>::evaluate({accelerations.data()}, now.joint_values(), velocities.data(),
-                                              torques.data());
-    return accelerations;
+    return detail::recorded_result<quantity, typename body_pose<Type>::vector_type>(
+        now.joint_values(), velocities.data(), torques.data());
   } else {
     return forward_dynamics(now, velocities, torques, base_motion{});
   }

@@ -59,9 +59,7 @@ auto mass_matrix(const body_pose<Type>& now) {
   constexpr int n = body_pose<Type>::size;
   using quantity = detail::recorded_mass_matrix<Type, false>;
   if constexpr (detail::is_recorded<quantity>()) {
-    Eigen::Matrix<double, n, n> m;
-    detail::straight_line<quantity>::evaluate({m.data()}, now.joint_values());
-    return m;
+    return detail::recorded_result<quantity, Eigen::Matrix<double, n, n>>(now.joint_values());
   } else {
     return detail::joint_space_inertia<n>(links,
                                           detail::composite_bodies<links.size()>(links, now.links(), {}));
@@ -74,9 +72,7 @@ auto floating_mass_matrix(const body_pose<Type>& now) {
   constexpr const auto& links = detail::weighed_links_of<Type>;
   using quantity = detail::recorded_mass_matrix<Type, true>;
   if constexpr (detail::is_recorded<quantity>()) {
-    Eigen::Matrix<double, 6 + n, 6 + n> m;
-    detail::straight_line<quantity>::evaluate({m.data()}, now.joint_values());
-    return m;
+    return detail::recorded_result<quantity, Eigen::Matrix<double, 6 + n, 6 + n>>(now.joint_values());
   } else {
     return detail::whole_inertia<n>(
         links, detail::composite_bodies<links.size()>(links, now.links(), detail::base_inertia_of<Type>()));
