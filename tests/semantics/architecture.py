@@ -6,6 +6,7 @@ wires between them are delayed.
 """
 import random
 
+from outside import add_looks, rests_of_spread
 from scopes import Scopes, is_queued, may_hear
 from skeletons import AXES, Group, Skeletons
 
@@ -43,6 +44,7 @@ class Node:
         self.root = None    # the node from whose samples alone it makes its own, each as it comes
         self.environment = 0
         self.rests = None   # the beats before which somebody stops it and starts it again
+        self.switches = []  # modes that it asks for by its results
         self.asks = []      # parts that it stops or starts by its results: the path as it is spelled, and which of the two
 
     def inputs(self):
@@ -71,6 +73,7 @@ class Graph:
         self.rate = None
         self.group = None  # a skeleton of the library's, which has what this graph shows
         self.stoppable = set()  # the names of inner graphs that stop and start as a whole
+        self.observes = []  # patterns with policies, for programs
 
     def expose(self, inner):
         if self.group:
@@ -85,8 +88,12 @@ class Graph:
 
 
 class Architecture:
-    def __init__(self, seed, threads=False, is_spread=False):
+    most_nodes = 21
+
+    def __init__(self, seed, threads=False, is_spread=False, over_dds=False):
         self.seed, self.threads = seed, threads
+        self.in_processes = is_spread and (over_dds or seed % 4 == 1)
+        self.looks = []  # before these beats a program looks at what graphs observe
         self.environments = 2 + seed % 3 if is_spread else 1
         self.free = None  # an environment that runs freely
         self.rng = random.Random(seed)
@@ -128,7 +135,7 @@ class Architecture:
 
     def make_nodes(self):
         rng = self.rng
-        n = min(3 + int(rng.expovariate(1 / 6)), 21)
+        n = min(3 + int(rng.expovariate(1 / 6)), self.most_nodes)
         resources = rng.choice([0, 0, 1, 1, 2, 3]) if n > 3 else rng.choice([0, 0, 1])
         self.nodes = [Node(f"c{i}", i) for i in range(n)]
         for node in self.nodes:
@@ -574,6 +581,7 @@ class Architecture:
         self.use_twice()
         self.add_observers(self.top, 0)
         self.let_parts_rest()
+        add_looks(self)
 
     def let_parts_rest(self):
         """Some inner graphs can be stopped as a whole, and some components stop and start parts by their results."""
@@ -604,12 +612,15 @@ class Architecture:
             for name, child in graph.children:
                 if isinstance(child, Node):
                     if child.strategy[0] == "stoppable":
-                        found.append((path + name, child.rests))
+                        spread = self.environments > 1
+                        found.append((path + name, rests_of_spread(self, path + name, {child.environment}) if spread else child.rests))
                     continue
                 if name in graph.stoppable:
                     rng = random.Random(f"{self.seed} {path}{name} rests")
                     first = rng.randrange(1, 80)
                     rests = (first, first + rng.randrange(1, 50)) if self.environments == 1 and rng.randrange(100) < 70 else None
+                    if self.environments > 1:
+                        rests = rests_of_spread(self, path + name, {node.environment for node in self.nodes_of(child)})
                     found.append((path + name, rests))
                 walk(child, path + name + ".")
 
@@ -699,23 +710,24 @@ class Architecture:
             self.count_observer(observer, found, places)
             return
 
-    def pattern(self, scopes, place):
+    def pattern(self, scopes, place, rng=None):
         """A path of some output, or of an input with a queue, seen from a graph around, with some of its names left open."""
+        rng = rng or self.rng
         queued = [path for path, wires in scopes.inputs.items() if is_queued(wires[0])]
-        of_input = bool(queued) and self.chance(30)
-        path = self.rng.choice(queued) if of_input else self.rng.choice(scopes.outputs)[0]
+        of_input = bool(queued) and rng.randrange(100) < 30
+        path = rng.choice(queued) if of_input else rng.choice(scopes.outputs)[0]
         around = [n for n in range(len(place) + 1) if place[:n] == path[:n] and n < len(path) - 1]
-        names = list(path[self.rng.choice(around):])
-        absolute = len(names) == len(path) and self.chance(40)
+        names = list(path[rng.choice(around):])
+        absolute = len(names) == len(path) and rng.randrange(100) < 40
         for i in range(len(names)):
-            if self.chance(30):
+            if rng.randrange(100) < 30:
                 names[i] = "*"
-        if self.chance(50):
-            first = self.rng.randrange(len(names))
-            last = self.rng.randrange(first, len(names)) + 1
+        if rng.randrange(100) < 50:
+            first = rng.randrange(len(names))
+            last = rng.randrange(first, len(names)) + 1
             names[first:last] = ["**"]
-        if self.chance(25):
-            names[self.rng.randrange(1, len(names) + 1):] = ["**"]
+        if rng.randrange(100) < 25:
+            names[rng.randrange(1, len(names) + 1):] = ["**"]
         elif of_input:  # only a `**` at the end names inputs
             names[-1] = "**"
         return ("/" if absolute else "") + ".".join(names)

@@ -65,16 +65,30 @@ void comparison::tell(const std::string& text, const outcome& o, const interpret
   std::cout << '\n';
 }
 
+namespace {
+
+// Of modes: also delays and what is asked for from outside.
+bool is_about(const std::string& mistake, comparison::proof wanted) {
+  const auto has = [&](const char* word) { return mistake.find(word) != std::string::npos; };
+  if (wanted == comparison::proof::of_modes) return has("modes: ") || has("from outside") || has("a program");
+  if (has("modes: ")) return false;
+  return wanted != comparison::proof::of_environments || has("delayed") || has("from outside") ||
+         has("a program");
+}
+
+}  // namespace
+
 bool comparison::report(proof wanted) const {
-  const bool of_environments = wanted == proof::of_environments;
   std::cout << "\nWhat was exercised:\n";
-  const bool all_exercised =
-      of_environments ? seen.report(std::cout, coverage::wanted_of_environments) : seen.report(std::cout);
+  const bool all_exercised = wanted == proof::of_environments
+                                 ? seen.report(std::cout, coverage::wanted_of_environments)
+                             : wanted == proof::of_modes ? seen.report(std::cout, coverage::wanted_of_modes)
+                                                         : seen.report(std::cout);
   std::cout << "\nMutants, and the architecture that caught each:\n";
   bool all_caught = true;
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
     const std::string mistake = all_mutants[m].mistake;
-    if (of_environments && mistake.find("delayed") == std::string::npos) continue;
+    if (wanted != proof::none && !is_about(mistake, wanted)) continue;
     std::cout << std::setw(9) << caught_in[m] << "  " << mistake << (caught_in[m] ? "" : "   <- not caught")
               << '\n';
     all_caught = all_caught && caught_in[m];

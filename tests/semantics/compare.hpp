@@ -15,8 +15,9 @@ class comparison {
 public:
   void add(const std::string& text, const outcome& o, int beats);
   // True: no difference. If it is to be a proof, also: everything was exercised, and every mutant caught. Of
-  // environments: what matters there was exercised, and every mutant with a mistake about delays caught.
-  enum class proof { none, of_all, of_environments };
+  // environments or modes: what matters there was exercised, and every mutant with a mistake about that
+  // caught.
+  enum class proof { none, of_all, of_environments, of_modes };
   bool report(proof wanted) const;
 
 private:

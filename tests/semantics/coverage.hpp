@@ -45,6 +45,8 @@ public:
         }
     }
     for (const part& p : i.g.parts) counts["parts that components stopped or started"] += p.changes > 0;
+    counts["switches that components asked for"] += i.g.switched;
+    counts["switches from outside"] += static_cast<long>(i.g.switches.size());
     bool component_fault = false;
     for (const firing& f : i.firings) {
       component_fault = component_fault || f.fault;
@@ -53,6 +55,7 @@ public:
                  : f.which == function::act ? "faults in act"
                                             : "faults in process"];
       counts["on_fault calls"] += f.which == function::on_fault;
+      counts["samples that a program saw fresh"] += f.which == function::look && f.inputs[0].fresh;
       for (const recorded_output& t : f.outputs)
         counts["samples with an origin of the component's own"] += t.sets_origin;
       for (const recorded_input& s : f.inputs) ++samples, counts["samples seen fresh"] += s.fresh;
@@ -151,6 +154,14 @@ public:
                                            "patterns from the outermost graph",
                                            "patterns found in a graph around",
                                            "patterns with **",
+                                           "observed by a graph: no policy",
+                                           "observed by a graph: latest",
+                                           "observed by a graph: delayed",
+                                           "observed by a graph: queue",
+                                           "observed by a graph: queue, delayed",
+                                           "observed by a graph: several outputs with a policy",
+                                           "observed by a graph: inputs",
+                                           "samples that a program saw fresh",
                                            "rated ports",
                                            "rate from the spaces",
                                            "faults in sense",
@@ -188,6 +199,14 @@ public:
       "inner graphs that may be stopped, partly in a free-running environment",
       "inner graphs that may be stopped",
       "parts that components stopped or started",
+      "components that were stopped and fired again",
+      "components of inner graphs that were stopped and fired again",
+      "observed by a graph: no policy",
+      "observed by a graph: delayed",
+      "observed by a graph: queue",
+      "observed by a graph: queue, delayed",
+      "observed by a graph: several outputs with a policy",
+      "samples that a program saw fresh",
       "queue, drop_oldest: lost",
       "queue, delayed",
       "merged: samples of two or more wires",
@@ -195,6 +214,28 @@ public:
       "merged wires between environments",
       "faults in process",
       "on_fault calls"};
+
+  static constexpr const char* wanted_of_modes[] = {"sets of modes",
+                                                    "components that a mode lacks",
+                                                    "components that are the same in all modes",
+                                                    "components that ask for modes",
+                                                    "switches that components asked for",
+                                                    "switches from outside",
+                                                    "inner graphs of modes that may be stopped",
+                                                    "components of modes that ask for parts",
+                                                    "parts that components stopped or started",
+                                                    "components that were stopped and fired again",
+                                                    "observers in modes",
+                                                    "modes that programs look at",
+                                                    "observed by a graph: queue",
+                                                    "observed by a graph: delayed",
+                                                    "samples that a program saw fresh",
+                                                    "queue, drop_oldest: lost",
+                                                    "queue, drop_newest: lost",
+                                                    "queue, delayed",
+                                                    "merged: samples of two or more wires",
+                                                    "faults in process",
+                                                    "on_fault calls"};
 
 private:
   void add(const strategy& s, const std::string& where) {

@@ -10,9 +10,14 @@
 //   habit 3 100 0 -1                                    id, publishes, origin, fault_at
 //   skeleton switch 2 3000000                           instead of a habit: what skeletons.hpp knows
 //   process                                             or sense, act: whose ports follow
+//   switch 12 stand                                     before beat 12 somebody switches to this mode
+//   mode stand                                          what follows is the graph of this mode
+//   switches orders stand 98                            a component asks for it by its results; and a salt
 //   exposed arm.p0 arm.mix.y                            a second name of a port
 //   in x 2                                              name, axes; `optional`
 //   observe arm.** delayed 1                            a pattern, and its policy as that of a wire
+//   watch arm mix.* queue 4 drop_oldest                 the same of a graph, for programs; `-`: the outermost
+//   look 7 20                                           before these beats a program looks
 //   out y 1                                             `maybe`; and `fault` last, if it may stop
 //   wire arm.mix.y body.act.x delayed 3 initial 0.5     or latest, queue 4 drop_oldest
 // clang-format on
@@ -59,7 +64,8 @@ inline strategy read_strategy(std::istream& from) {
 
 class describer {
 public:
-  graph g;
+  graph g;                   // the newest mode, if there are several
+  std::vector<graph> modes;  // those before it
 
   void line(const std::string& text) {
     std::istringstream from(text);
@@ -71,12 +77,18 @@ public:
     else if (word == "habit") set_habit(from);
     else if (word == "part") add_part(from);
     else if (word == "asks") add_request(from);
+    else if (word == "mode") begin_mode(from);
+    else if (word == "switch")
+      g.switches.emplace_back(), from >> g.switches.back().first >> g.switches.back().second;
+    else if (word == "switches") add_switch(from);
     else if (word == "skeleton") set_skeleton(from);
     else if (word == "sense") add_call(function::sense);
     else if (word == "process") add_call(function::process);
     else if (word == "act") add_call(function::act);
     else if (word == "in" || word == "optional") add_input(from, word == "optional");
     else if (word == "observe") add_observer(from);
+    else if (word == "watch") add_watch(from);
+    else if (word == "look") add_looks(from);
     else if (word == "exposed") add_second_name(from);
     else if (word == "out" || word == "maybe") add_output(from, word == "maybe");
     else if (word == "fault") g.calls.back().may_fault = true;
@@ -86,7 +98,18 @@ public:
     if (from.fail()) throw std::runtime_error("description: '" + text + "' lacks something");
   }
 
+  // The first mode has all of them.
+  graph whole() const {
+    if (modes.empty()) return g;
+    graph first = modes.front();
+    first.modes = modes;
+    first.modes.push_back(g);
+    return first;
+  }
+
 private:
+  graph header;  // what all modes have
+
   void add_node(std::istream& from, bool resource) {
     node& n = g.nodes.emplace_back();
     n.resource = resource;
@@ -121,6 +144,21 @@ private:
     for (node& n : g.nodes)
       if (n.path == asking && r.part >= 0) return n.asks.push_back(r);
     throw std::runtime_error("description: no part '" + asked + "', or no node '" + asking + "'");
+  }
+
+  void begin_mode(std::istream& from) {
+    if (g.mode.empty()) header = g;
+    else modes.push_back(g);
+    g = header;
+    from >> g.mode;
+  }
+  void add_switch(std::istream& from) {
+    std::string asking, mode;
+    int salt = 0;
+    from >> asking >> mode >> salt;
+    for (node& n : g.nodes)
+      if (n.path == asking) return n.switches.emplace_back(mode, salt), void();
+    throw std::runtime_error("description: no node '" + asking + "'");
   }
 
   void set_skeleton(std::istream& from) {
@@ -158,6 +196,19 @@ private:
       from >> o.as.capacity >> word;
       o.as.full = word == "drop_newest" ? when_full::drop_newest : when_full::drop_oldest;
     }
+    from.clear();
+  }
+
+  void add_watch(std::istream& from) {
+    node& n = g.nodes.emplace_back();
+    from >> n.path;
+    n.path = n.path == "-" ? "look" : n.path + ".look";
+    n.does = [](firing&) {};
+    add_call(function::look);
+    add_observer(from);
+  }
+  void add_looks(std::istream& from) {
+    for (std::int64_t beat; from >> beat;) g.looks.push_back(beat);
     from.clear();
   }
 
@@ -215,7 +266,7 @@ inline graph described(const std::string& text) {
   describer d;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) d.line(line);
-  return d.g;
+  return d.whole();
 }
 
 }  // namespace semantics

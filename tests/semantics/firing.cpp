@@ -76,6 +76,11 @@ std::uint64_t digest(const firing& f) {
   return key;
 }
 
+log in_order_of_content(log seen) {
+  std::sort(seen.begin(), seen.end(), [](const firing& a, const firing& b) { return digest(a) < digest(b); });
+  return seen;
+}
+
 log merged(log all) {
   // A graph that is used twice has components of one id in two threads: all that they record decides.
   std::vector<std::uint64_t> digests;
@@ -169,7 +174,7 @@ bool same(const firing& a, const firing& b) {
 }
 
 std::ostream& operator<<(std::ostream& to, const firing& f) {
-  constexpr const char* names[] = {"sense", "process", "act", "on_fault"};
+  constexpr const char* names[] = {"sense", "process", "act", "on_fault", "look"};
   to.precision(17);
   to << "beat " << f.beat << ": component " << f.id << " " << names[static_cast<int>(f.which)] << ", dt "
      << f.dt << " s, time " << f.time;

@@ -30,7 +30,9 @@ struct recorded_output {
   std::int64_t origin = never;  // only if the component sets it
 };
 
-enum class function : std::uint8_t { sense, process, act, on_fault };
+// `look`: a program looks at what graphs observe, one firing for each port.
+enum class function : std::uint8_t { sense, process, act, on_fault, look };
+inline constexpr int looker = 9999;  // the id of the program
 
 struct firing {
   int id = 0;
@@ -90,6 +92,8 @@ inline double worker_result(double x, int n) { return 0.5 * x + n % 5; }
 // Components write here: each thread has its own. A thread that has none gets one when it records first.
 inline thread_local log* recording = nullptr;
 void record(const firing& f);
+// What a program saw at once: the text leaves open in which order.
+log in_order_of_content(log seen);
 // What all threads wrote that had none; it is forgotten then. They must have ended.
 log recorded_by_threads();
 

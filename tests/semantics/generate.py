@@ -5,6 +5,7 @@
     generate.py OUT --threads ...                   the same, each with a farm on threads
     generate.py OUT --spread ...                    the same, each spread over two to four environments
     generate.py OUT --spread --dds ...              the same, run by processes over DDS
+    generate.py OUT --modes ...                     sets of modes; with --spread deployments of them
     generate.py --text 17                           prints what the interpreter gets
     generate.py --code 17                           prints what the compiler gets
     generate.py --list OUT ...                      prints the names of the files it would write
@@ -16,6 +17,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # nothing of ours beside the sources
 
 from architecture import Architecture  # noqa: E402
+from modes import SetOfModes  # noqa: E402
 from spelling import code, text  # noqa: E402
 
 
@@ -30,10 +32,13 @@ def main():
     parser.add_argument("--threads", action="store_true")
     parser.add_argument("--spread", action="store_true")
     parser.add_argument("--dds", action="store_true")
+    parser.add_argument("--modes", action="store_true")
     options = parser.parse_args()
 
     def made(seed):
-        return Architecture(seed, options.threads, options.spread)
+        if options.modes:
+            return SetOfModes(seed, options.spread, options.dds)
+        return Architecture(seed, options.threads, options.spread, options.dds)
 
     if options.text is not None:
         print(text(made(options.text)), end="")
@@ -49,7 +54,7 @@ def main():
             options.out.mkdir(parents=True, exist_ok=True)
             parts = [code(made(seed), options.dds) for seed in seeds[first:first + options.per_file]]
             header = ("run_threads.hpp" if options.threads else "run_over_dds.hpp" if options.dds else "run_deployed.hpp" if options.spread
-                      else "run.hpp")
+                      else "run_modes.hpp" if options.modes else "run.hpp")
             path.write_text(f"// Made by tests/semantics/generate.py.\n#include \"{header}\"\n\n" + "\n".join(parts))
 
 

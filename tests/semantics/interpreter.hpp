@@ -4,10 +4,13 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <set>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,10 +20,11 @@ namespace semantics {
 
 class interpreter {
 public:
-  explicit interpreter(graph what) : g(std::move(what)) {}
+  explicit interpreter(graph what) : g(std::move(what)), modes(std::exchange(g.modes, {})) {}
   virtual ~interpreter() = default;
 
-  graph g;
+  graph g;                   // of several modes: the active one, with what has happened
+  std::vector<graph> modes;  // as described; empty: there is one graph
   std::int64_t k = 0;
   bool faulted = false;
   log firings;
@@ -35,11 +39,24 @@ public:
 
   void beat() {
     if (faulted) return;
-    if (k == 0) look_up_patterns();
-    for (std::size_t p = 0; p < g.parts.size(); ++p) {
-      if (g.parts[p].stop_in == k) set_part(p, true);
-      if (g.parts[p].start_in == k) set_part(p, false);
+    if (k == 0) {
+      look_up_patterns();
+      for (graph& mode : modes) {
+        std::swap(g, mode);
+        look_up_patterns();
+        std::swap(g, mode);
+      }
     }
+    if (std::count(g.looks.begin(), g.looks.end(), k) > 0) look_from_outside();
+    for (std::size_t p = 0; p < g.parts.size(); ++p) {
+      if (is_time(g.parts[p].stop_in)) set_part(p, true);
+      if (is_time(g.parts[p].start_in)) set_part(p, false);
+    }
+    for (const auto& [beat, mode] : g.switches)
+      if (is_time(beat)) {
+        switch_to(mode);
+        break;
+      }
     begin();
     if (faulted) return on_fault();
     for (const function which : {function::sense, function::process, function::act}) {
@@ -47,12 +64,50 @@ public:
       for (int next = next_call(which, was_called); next >= 0; next = next_call(which, was_called)) {
         was_called[next] = true;
         call& t = g.calls[next];
-        if (!rests(t.node) && fires(when(t), t)) fire(t);
+        if (!rests(t.node) && fires_now(t)) fire(t);
         if (faulted) return on_fault();
       }
     }
     ++k;
     take_requests();
+    take_mode();
+  }
+
+  // What somebody outside asks for before a beat has effect in that beat.
+  virtual bool is_time(std::int64_t beat) const { return beat == k; }
+
+  // ---- a program looks, between two beats, at what graphs observe: each time is a firing. Without a queue a
+  // sample is fresh if it came in the last beat. What several patterns name without a policy is seen once.
+  // ----
+
+  virtual void look_from_outside() {
+    --k;  // the beat that has ended
+    log all;
+    std::set<std::tuple<int, bool, int>> without_policy;
+    for (call& t : g.calls) {
+      if (t.which != function::look) continue;
+      t.last_fired = k - 1;
+      for (input& in : t.inputs) {
+        if (!has_policy(t) && !without_policy.insert(in.heard).second) continue;
+        const seen_input seen = look(t, in);
+        take_from_outside(in);
+        ++in.reads;
+        in.fresh_reads += seen.fresh;
+        firing f;
+        f.id = looker;
+        f.which = function::look;
+        f.beat = k + 1;
+        f.inputs.push_back({in.name, seen.value, seen.origin, seen.fresh, true});
+        all.push_back(f);
+      }
+    }
+    all = in_order_of_content(all);
+    firings.insert(firings.end(), all.begin(), all.end());
+    ++k;
+  }
+  virtual void take_from_outside(input& in) const { take(in); }
+  virtual bool has_policy(const call& look) const {
+    return look.patterns[0].delay > 0 || look.patterns[0].as.is == policy::queue;
   }
 
   // ---- parts: a component runs if no part that has it is stopped ----
@@ -83,6 +138,169 @@ public:
     }
   }
 
+  // ---- modes: what several modes have is one component, which goes on; what a mode lacks is away ----
+
+  // When the next beat begins; of several requests the later call's counts.
+  std::string asked_mode;
+  virtual void ask_for_mode(const std::string& mode) { asked_mode = mode; }
+  virtual void take_mode() {
+    if (const std::string mode = std::exchange(asked_mode, {}); !mode.empty()) {
+      const std::string before = g.mode;
+      switch_to(mode);
+      g.switched += g.mode != before;
+    }
+  }
+
+  std::map<std::string, std::function<void(firing&)>>
+      habits;  // with their states, of all modes, by the paths
+  virtual void switch_to(const std::string& mode) {
+    const auto next =
+        std::find_if(modes.begin(), modes.end(), [&](const graph& one) { return one.mode == mode; });
+    if (mode == g.mode || next == modes.end()) return;
+    for (const call& t : g.calls)
+      for (const input& in : t.inputs) lost[name_of_queue(t, in)] = in.dropped;
+    const graph last = std::exchange(g, *next);
+    g.switched = last.switched;
+    for (const node& n : last.nodes) habits[n.path] = n.does;
+    for (node& n : g.nodes)
+      if (const auto known = habits.find(n.path); known != habits.end()) n.does = known->second;
+    for (const node& n : g.nodes) {
+      const node* before = find_node(last, n.path);
+      goes_on(before ? &before->when : nullptr, n.when);
+    }
+    for (part& p : g.parts)
+      for (const part& before : last.parts)
+        if (before.path == p.path) part_goes_on(before, p);
+    for (call& t : g.calls) {
+      const call* before = find_call(last, g.nodes[t.node].path, t.which);
+      if (before && t.which != function::look) call_goes_on(*before, t);
+      for (input& in : t.inputs) {
+        begin_input(last, before, in, t.which == function::look);
+        in.dropped = lost[name_of_queue(t, in)];
+      }
+    }
+  }
+  // What a queue has lost is counted as long as it is the same one, whichever modes come between.
+  std::map<std::string, int> lost;
+  std::string name_of_queue(const call& t, const input& in) const {
+    if (in.is != policy::queue || !in.wired()) return {};
+    std::ostringstream name;
+    name << (t.which == function::look ? "" : g.nodes[t.node].path) << ' ' << static_cast<int>(t.which) << ' '
+         << in.name << ' ' << in.capacity << ' ' << static_cast<int>(in.full) << ' ' << in.is_merged;
+    if (!in.is_merged) name << ' ' << path_of(g, in.ways[0]) << ' ' << in.ways[0].delay;
+    return name.str();
+  }
+  static const node* find_node(const graph& in, const std::string& path) {
+    for (const node& n : in.nodes)
+      if (n.path == path) return &n;
+    return nullptr;
+  }
+  static const call* find_call(const graph& in, const std::string& path, function which) {
+    for (const call& t : in.calls)
+      if (t.which == which && in.nodes[t.node].path == path) return &t;
+    return nullptr;
+  }
+  // A strategy that both modes state goes on, another one begins.
+  void goes_on(const strategy* before, const strategy& s) {
+    kept.erase(s.number);
+    const bool is_same = before && before->is == s.is && before->n == s.n && before->phase == s.phase &&
+                         before->names == s.names && before->parts.size() == s.parts.size();
+    if (is_same && kept.count(before->number) > 0) kept[s.number] = kept[before->number];
+    for (std::size_t i = 0; i < s.parts.size(); ++i)
+      goes_on(is_same ? &before->parts[i] : nullptr, s.parts[i]);
+  }
+  virtual void part_goes_on(const part& before, part& p) {
+    p.is_stopped = before.is_stopped;
+    p.changes = before.changes;
+  }
+  // What it published is seen by its readers, in whichever mode it was.
+  virtual void call_goes_on(const call& before, call& t) {
+    t.last_fired = before.last_fired;
+    t.oldest_seen = before.oldest_seen;
+    t.is_new = before.is_new;
+    t.firings = before.firings;
+    for (std::size_t i = 0; i < t.outputs.size(); ++i) t.outputs[i].history = before.outputs[i].history;
+  }
+  // A queue is kept if both modes have it, with what is on its way; else it begins empty.
+  void begin_input(const graph& last, const call* before, input& in, bool is_look) {
+    const input* same = nullptr;
+    for (const call& t : last.calls)
+      for (const input& one : t.inputs)
+        if ((is_look ? t.which == function::look : &t == before) && one.is_heard == in.is_heard &&
+            one.name == in.name && is_same_queue(last, one, in))
+          same = &one;
+    if (before && !is_look)
+      for (const input& one : before->inputs)
+        if (one.name == in.name) in.reads = one.reads, in.fresh_reads = one.fresh_reads;
+    for (way& w : in.ways) {
+      w.since = k;
+      for (const way& old : same ? same->ways : std::vector<way>())
+        if (path_of(last, old) == path_of(g, w) && old.delay == w.delay) w.since = old.since;
+    }
+    if (same) queue_goes_on(*same, in);
+  }
+  static std::string path_of(const graph& in, const way& w) {
+    const call& t = in.calls[w.writer];
+    return in.nodes[t.node].path + "." + t.outputs[w.port].name;
+  }
+  virtual bool is_same_queue(const graph& last, const input& a, const input& b) const {
+    if (a.is != policy::queue || b.is != policy::queue || !a.wired() || !b.wired()) return false;
+    if (a.is_merged != b.is_merged || a.capacity != b.capacity || a.full != b.full) return false;
+    return b.is_merged ||
+           (path_of(last, a.ways[0]) == path_of(g, b.ways[0]) && a.ways[0].delay == b.ways[0].delay);
+  }
+  virtual void queue_goes_on(const input& before, input& in) {
+    in.waiting = before.waiting;
+    in.taken = before.taken;
+    in.arrived_in = before.arrived_in;
+    in.arrivals = before.arrivals;
+    in.ways_taken = before.ways_taken;
+  }
+
+  // Where the compiler knows the clock of a component, it fires by that clock from a switch on: for timed and
+  // full_speed, and for restless, moderate and port_triggered if all inputs that they look at have such a
+  // clock. Here: the same one; else it is left open.
+  struct clock {
+    std::int64_t period, first;
+    bool operator==(const clock&) const = default;
+  };
+  virtual std::optional<clock> clock_of(const call& t, int depth = 0) const {
+    const strategy whole = when(t);
+    const strategy& s = whole.is == strategy::stoppable ? whole.parts[0] : whole;
+    if (s.is == strategy::timed) return clock{s.n, (s.phase % s.n + s.n) % s.n};
+    if (s.is == strategy::full_speed) return clock{1, 0};
+    const bool by_names = s.is == strategy::port_triggered;
+    const bool by_default = s.is == strategy::by_default;
+    if (!by_names && !by_default && s.is != strategy::restless && s.is != strategy::moderate) return {};
+    if (by_default && t.inputs.empty()) return clock{1, 0};
+    std::optional<clock> shared;
+    for (const input& in : t.inputs) {
+      if (!in.wired() || (by_names && std::find(s.names.begin(), s.names.end(), in.name) == s.names.end()))
+        continue;
+      if (in.is == policy::queue || in.is_heard || depth > 20) return {};
+      const way& w = in.ways[0];
+      const call& writer = g.calls[w.writer];
+      if (writer.outputs[w.port].is_maybe || !is_in_parts_of(writer.node, t.node)) return {};
+      auto its = clock_of(writer, depth + 1);
+      if (!its) return {};
+      its->first += w.delay;
+      if (shared && !(*shared == *its)) return {};
+      shared = its;
+    }
+    return shared;
+  }
+  // All parts that have the writer have the reader.
+  bool is_in_parts_of(int writer, int reader) const {
+    for (const int p : g.nodes[writer].parts)
+      if (std::count(g.nodes[reader].parts.begin(), g.nodes[reader].parts.end(), p) == 0) return false;
+    return true;
+  }
+  bool fires_now(call& t) {
+    if (!modes.empty())
+      if (const auto known = clock_of(t)) return k >= known->first && (k - known->first) % known->period == 0;
+    return fires(when(t), t);
+  }
+
   // Delayed samples enter their queues, in the order in which they were published.
   virtual void begin() {
     for (call& t : g.calls)
@@ -91,7 +309,7 @@ public:
         std::vector<publication> arrived;
         for (std::size_t w = 0; w < in.ways.size(); ++w)
           for (const publication& p : history(in.ways[w]))
-            if (in.ways[w].delay > 0 && arrival(in.ways[w], p) == k) {
+            if (in.ways[w].delay > 0 && arrival(in.ways[w], p) == k && p.beat >= in.ways[w].since) {
               arrived.push_back(p);
               arrived.back().way = static_cast<int>(w);
             }
@@ -166,6 +384,7 @@ public:
         in.width = out.width;
         in.initial.resize(static_cast<std::size_t>(out.width));
         in.ways = {{static_cast<int>(t), static_cast<int>(p), o.delay}};
+        in.heard = {static_cast<int>(t), false, static_cast<int>(p)};
         if (!in.name.empty()) all.push_back(in);
       }
       if (!names_inputs(pattern)) continue;
@@ -176,6 +395,7 @@ public:
         if (in.is == policy::queue && o.delay == 0) in.shown_call = call, in.shown_input = number;
         if (in.is == policy::queue && o.delay > 0) in.ways = {{call, number, 0, true}};
         in.is = policy::latest;
+        in.heard = {static_cast<int>(t), true, static_cast<int>(i)};
         in.name = heard_as(pattern, graph, node + in.name);
         for (way& w : in.ways) w.delay += o.delay;
         if (!in.name.empty()) all.push_back(in);
@@ -262,6 +482,8 @@ public:
     if (f.fault) faulted = true;
     for (const request& r : g.nodes[t.node].asks)
       if (wants(g.nodes[t.node].id, k, r.salt)) ask(r);
+    for (const auto& [mode, salt] : g.nodes[t.node].switches)
+      if (wants(g.nodes[t.node].id, k, salt)) ask_for_mode(mode);
     for (std::size_t i = 0; i < t.outputs.size() && !faulted; ++i)
       if (f.outputs[i].published)
         publish(t, i, {k, f.outputs[i].value, stamp(f.outputs[i], from), published++});

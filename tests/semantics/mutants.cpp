@@ -1,7 +1,10 @@
 #include "mutants.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace semantics {
 
@@ -168,6 +171,141 @@ struct dt_counts_the_rest : base {
     base::start(node);
     for (std::size_t i = 0; i < is_new.size(); ++i) g.calls[i].is_new = is_new[i];
   }
+};
+
+// ---- asked for from outside ----
+
+struct from_outside_a_beat_late : base {
+  using base::base;
+  bool is_time(std::int64_t beat) const override { return beat + 1 == k; }
+};
+
+struct from_outside_nothing : base {
+  using base::base;
+  bool is_time(std::int64_t) const override { return false; }
+};
+
+struct program_sees_the_newest : base {
+  using base::base;
+  seen_input look(const call& t, const input& in) const override {
+    if (t.which != function::look) return base::look(t, in);
+    input newest = in;
+    newest.is = policy::latest;
+    newest.ways[0].delay = 0;
+    return base::look(t, newest);
+  }
+};
+
+struct program_takes_nothing : base {
+  using base::base;
+  void take_from_outside(input&) const override {}
+};
+
+// ---- modes ----
+
+struct switch_a_beat_late : base {
+  using base::base;
+  std::string waiting_mode;
+  void take_mode() override {
+    std::swap(waiting_mode, asked_mode);
+    base::take_mode();
+  }
+};
+
+struct first_mode_asked_for : base {
+  using base::base;
+  void ask_for_mode(const std::string& mode) override {
+    if (asked_mode.empty()) base::ask_for_mode(mode);
+  }
+};
+
+struct components_do_not_switch : base {
+  using base::base;
+  void ask_for_mode(const std::string&) override {}
+};
+
+struct all_begins_anew : base {
+  using base::base;
+  void call_goes_on(const call& before, call& t) override {
+    const call as_new = t;
+    base::call_goes_on(before, t);
+    t.last_fired = as_new.last_fired;
+    t.oldest_seen = as_new.oldest_seen;
+    t.is_new = as_new.is_new;
+  }
+};
+
+struct outputs_begin_anew : base {
+  using base::base;
+  void call_goes_on(const call& before, call& t) override {
+    base::call_goes_on(before, t);
+    for (output& out : t.outputs) out.history.clear();
+  }
+};
+
+// What it was when it went away is what it is when it comes.
+template <void (*Change)(const call& when_it_went, call& t)>
+struct as_it_went : base {
+  using base::base;
+  std::map<std::pair<std::string, function>, call> gone;
+  void switch_to(const std::string& mode) override {
+    std::vector<std::string> had;
+    for (const call& t : g.calls) gone[{g.nodes[t.node].path, t.which}] = t;
+    for (const node& n : g.nodes) had.push_back(n.path);
+    base::switch_to(mode);
+    for (call& t : g.calls) {
+      const std::string& path = g.nodes[t.node].path;
+      if (std::find(had.begin(), had.end(), path) != had.end() || t.which == function::look) continue;
+      if (const auto known = gone.find({path, t.which}); known != gone.end()) Change(known->second, t);
+    }
+  }
+};
+void its_firings(const call& when_it_went, call& t) {
+  t.last_fired = when_it_went.last_fired;
+  t.is_new = when_it_went.is_new;
+}
+void its_samples(const call& when_it_went, call& t) {
+  for (std::size_t i = 0; i < t.outputs.size(); ++i) t.outputs[i].history = when_it_went.outputs[i].history;
+}
+
+struct what_a_mode_lacks_is_forgotten : base {
+  using base::base;
+  void switch_to(const std::string& mode) override {
+    std::erase_if(habits, [&](const auto& one) { return !find_node(g, one.first); });
+    base::switch_to(mode);
+  }
+};
+
+struct no_queue_outlives_a_switch : base {
+  using base::base;
+  bool is_same_queue(const graph&, const input&, const input&) const override { return false; }
+};
+
+struct each_queue_outlives_a_switch : base {
+  using base::base;
+  bool is_same_queue(const graph&, const input& a, const input& b) const override {
+    return a.is == policy::queue && b.is == policy::queue && a.ways.size() == b.ways.size();
+  }
+};
+
+struct comes_into_a_new_queue : base {
+  using base::base;
+  void switch_to(const std::string& mode) override {
+    base::switch_to(mode);
+    for (call& t : g.calls)
+      for (input& in : t.inputs)
+        for (way& w : in.ways) w.since = 0;
+  }
+};
+
+struct no_clock_after_a_switch : base {
+  using base::base;
+  std::optional<clock> clock_of(const call&, int) const override { return {}; }
+};
+
+struct parts_start_at_a_switch : base {
+  using base::base;
+  void part_goes_on(const part& before, part& p) override { p.changes = before.changes; }
 };
 
 // ---- what an input sees ----
@@ -647,6 +785,30 @@ const std::vector<mutant> all_mutants{
     {"requests are lost", mutants::made<mutants::requests_are_lost>},
     {"what came while it was stopped is fresh", mutants::made<mutants::fresh_after_the_start>},
     {"the first dt after a start counts the time before", mutants::made<mutants::dt_counts_the_rest>},
+    {"what is asked for from outside has effect a beat late",
+     mutants::made<mutants::from_outside_a_beat_late>},
+    {"what is asked for from outside is not done", mutants::made<mutants::from_outside_nothing>},
+    {"a program sees the newest sample whatever the policy", mutants::made<mutants::program_sees_the_newest>},
+    {"a program takes nothing from its queue", mutants::made<mutants::program_takes_nothing>},
+    {"modes: a switch that a component asks for has effect a beat late",
+     mutants::made<mutants::switch_a_beat_late>},
+    {"modes: of two requests the first counts", mutants::made<mutants::first_mode_asked_for>},
+    {"modes: components do not switch", mutants::made<mutants::components_do_not_switch>},
+    {"modes: what several have begins anew at a switch", mutants::made<mutants::all_begins_anew>},
+    {"modes: what was published before a switch is gone", mutants::made<mutants::outputs_begin_anew>},
+    {"modes: what comes has fired when it was there before",
+     mutants::made<mutants::as_it_went<mutants::its_firings>>},
+    {"modes: what it published before it came is read",
+     mutants::made<mutants::as_it_went<mutants::its_samples>>},
+    {"modes: a component loses its state while it is away",
+     mutants::made<mutants::what_a_mode_lacks_is_forgotten>},
+    {"modes: each queue begins empty", mutants::made<mutants::no_queue_outlives_a_switch>},
+    {"modes: each queue goes on, of other capacity too",
+     mutants::made<mutants::each_queue_outlives_a_switch>},
+    {"modes: what was published before comes into a new queue",
+     mutants::made<mutants::comes_into_a_new_queue>},
+    {"modes: after a switch all fire by what is fresh", mutants::made<mutants::no_clock_after_a_switch>},
+    {"modes: stopped parts start at a switch", mutants::made<mutants::parts_start_at_a_switch>},
     {"delayed<N> arrives one beat late", mutants::made<mutants::delayed_one_too_long>},
     {"delayed<N> arrives one beat early", mutants::made<mutants::delayed_one_too_short>},
     {"latest is that of the beat before", mutants::made<mutants::latest_is_of_the_beat_before>},

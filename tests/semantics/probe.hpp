@@ -101,22 +101,25 @@ void add_blank(firing& f, const cca::maybe<Name, Space>*) {
   add_output(f, Space::size, true);
 }
 inline void add_blank(firing&, const cca::fault*) {}
-// A request for a part is no port: what it asks for follows from the beat.
-template <class Request>
-  requires(cca::detail::is_part_request<Request>)
+// A request for a part or a mode is no port: what it asks for follows from the beat.
+template <class Request> concept Asking =
+    cca::detail::is_part_request<Request> || cca::detail::is_mode_request<Request>;
+template <Asking Request>
 void add_blank(firing&, const Request*) {}
 
 // Of all requests of a component: by the letters of the path, and by what is asked.
-template <class Request>
-inline constexpr int salt_of = [] {
-  constexpr auto asked = cca::detail::result_facts<Request>::asked;
-  int salt = asked.starts ? 1 : 0;
-  for (const char letter : asked.path) salt = (salt * 31 + letter) % 100003;
+constexpr int salt_from(int salt, std::string_view letters) {
+  for (const char letter : letters) salt = (salt * 31 + letter) % 100003;
   return salt;
-}();
+}
+template <class Request>
+inline constexpr int salt_of = salt_from(cca::detail::result_facts<Request>::asked.starts,
+                                         cca::detail::result_facts<Request>::asked.path);
+template <cca::fixed_string Mode>
+inline constexpr int salt_of<cca::switch_to<Mode>> = salt_from(0, Mode.view());
 
 template <class Port>
-  requires(!cca::detail::is_part_request<Port>)
+  requires(!Asking<Port>)
 Port port_of(const Port*, const firing& f, std::size_t& next) {
   const recorded_output& t = f.outputs[next++];
   Port port;
@@ -128,8 +131,7 @@ inline cca::fault port_of(const cca::fault*, const firing& f, std::size_t&) {
   return f.fault ? cca::fault{"as planned"} : cca::fault{};
 }
 
-template <class Request>
-  requires(cca::detail::is_part_request<Request>)
+template <Asking Request>
 Request port_of(const Request*, const firing& f, std::size_t&) {
   return f.fault ? Request() : Request(wants(f.id, f.beat, salt_of<Request>));
 }

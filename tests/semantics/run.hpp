@@ -1,7 +1,9 @@
 // Runs an architecture on the library, to compare what its components record with what the interpreter does.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -11,13 +13,43 @@
 
 namespace semantics {
 
-// What happens before and after each beat. Here: nothing.
+// What somebody does before and after each beat. Here: nothing.
 struct in_the_loop {
+  static constexpr bool gives_orders = false;  // also by live_access
   template <class Controller>
-  static void before(Controller&, int) {}
+  static void before(Controller&, int, bool = false) {}
   template <class Controller>
   static void settle(Controller&) {}
 };
+
+// Each port that the graphs of `c` observe is a firing.
+template <class Played>
+void look_if_it_is_time(Played& c, int k, std::span<const int> looks) {
+  if (c.state() == cca::state::faulted || !std::binary_search(looks.begin(), looks.end(), k)) return;
+  log seen;
+  c.observed([&](const cca::observation& one) {
+    firing f;
+    f.id = looker;
+    f.which = function::look;
+    f.beat = k;
+    add_input(f, one.path, one.values.data(), static_cast<int>(one.values.size()), one.origin, one.fresh,
+              true);
+    seen.push_back(f);
+  });
+  for (const firing& f : in_order_of_content(seen)) record(f);
+}
+
+// What another process runs is refused here, and done there.
+inline bool is_alone = true;
+inline int own_environment = 0;
+inline bool is_here(int environment) { return is_alone || environment == own_environment; }
+template <class F>
+void where_it_is(F change) {
+  if (is_alone) return change();
+  try {
+    change();
+  } catch (const cca::refused&) {}
+}
 
 template <class Graph, class Around = in_the_loop>
 outcome run(int copy_at) {

@@ -15,23 +15,86 @@
 #include <vector>
 
 #include <cca/deployment.hpp>
+#include <cca/modes.hpp>
+#include <cca/runtime/live/live_access.hpp>
 
 #include "run.hpp"
 
 namespace semantics {
 
+struct nothing_outside : in_the_loop {
+  static constexpr int acts[] = {beats};     // before these beats somebody does something; `beats`: the end
+  static constexpr int at_rest[] = {beats};  // where there are processes, too: only between two runs
+};
+
+inline void insist(bool is_taken) {
+  if (!is_taken) throw std::runtime_error("an earlier request has not been taken");
+}
+
+// Between two beats of a deployment: what has to wait for all environments is asked for by live_access.
+template <class Around, class Live, class F>
+struct by_live_access {
+  Live& live;
+  std::int64_t end;
+  F in_between;
+
+  template <int Environment, class Deployed>
+  void after_beat(Deployed& d) {
+    if constexpr (Environment == 0)
+      if (d.state() != cca::state::faulted && d.beat_index() < end) {
+        if (!live.is_taken()) live.template after_beat<0>(d);  // that of the beat before
+        Around::order(live, static_cast<int>(d.beat_index()));
+      }
+    live.template after_beat<Environment>(d);
+  }
+  template <class Deployed>
+  bool goes_on(Deployed& d) {
+    in_between(d, true);
+    return live.goes_on(d);
+  }
+  bool is_over() const { return false; }
+};
+
+// All environments meet after each beat; then `in_between(played, by_orders)` is called.
+template <class Around, class Played, class F>
+void run_and_meet(Played& played, std::int64_t count, bool, F in_between) {
+  played.run(cca::for_some_beats{count}, cca::as_fast_as_possible{}, [&](auto& p) { in_between(p, false); });
+}
+template <class Around, class Deployment, class F>
+  requires(Around::gives_orders)
+void run_and_meet(cca::deployed<Deployment>& played, std::int64_t count, bool by_orders, F in_between) {
+  if (!by_orders)
+    return played.run(cca::for_some_beats{count}, cca::as_fast_as_possible{},
+                      [&](auto& p) { in_between(p, false); }),
+           void();
+  cca::live_access live(played);
+  played.run(cca::for_some_beats{count}, cca::as_fast_as_possible{},
+             by_live_access<Around, decltype(live), F>{live, played.beat_index() + count, in_between});
+}
+
 // What was recorded, by whichever thread, with a controller or a deployment that runs until f returns false.
-template <class Played, class F>
+template <class Around, class Played, class F>
 log recorded(Played& played, int chance, F goes_on) {
   log all;
   recording = &all;  // of this thread
   auto random = static_cast<unsigned>(chance);
+  std::int64_t done = 0;  // what somebody does before the beats up to here
+  const auto act = [&](Played& p, bool by_orders) {
+    for (; done <= p.beat_index(); ++done) Around::before(p, static_cast<int>(done), by_orders);
+  };
   while (played.beat_index() < beats) {
+    act(played, false);
     random = random * 1664525u + 1013904223u;
-    const auto left = beats - played.beat_index();
-    const cca::for_some_beats piece{std::min<std::int64_t>(1 + (random >> 8) % 60, left)};
-    if (random >> 20 & 1) played.run(piece, cca::as_fast_as_possible{}, [](auto&) {});  // they meet each beat
-    else played.run(piece);
+    const auto k = played.beat_index();
+    const bool they_meet = random >> 20 & 1;  // after each beat
+    const std::int64_t end = they_meet ? *std::ranges::upper_bound(Around::at_rest, k)
+                                       : *std::ranges::upper_bound(Around::acts, k);
+    const auto count = std::min<std::int64_t>(1 + (random >> 8) % 60, end - k);
+    if (they_meet)
+      run_and_meet<Around>(played, count, random >> 22 & 1, [&](Played& p, bool by_orders) {
+        if (p.state() != cca::state::faulted && p.beat_index() < k + count) act(p, by_orders);
+      });
+    else played.run(cca::for_some_beats{count});
     if (!goes_on(played, random)) break;
   }
   recording = nullptr;
@@ -59,12 +122,12 @@ inline constexpr auto with_restarts = [resumes = 0](
   return true;
 };
 
-template <class Played>
+template <class Around, class Played>
 log recorded_with_restarts(int chance) {
   const auto played = std::make_unique<Played>();
   played->load();
   played->start();
-  return recorded(*played, chance, [goes_on = with_restarts](Played& p, unsigned random) mutable {
+  return recorded<Around>(*played, chance, [goes_on = with_restarts](Played& p, unsigned random) mutable {
     constexpr auto alone = [] {};
     return goes_on(p, random, alone);
   });
@@ -92,7 +155,7 @@ private:
 };
 
 // The digests of what each environment recorded in a process of its own. `over(name)`: the transport.
-template <class Deployment, class Over, class GoesOn>
+template <class Deployment, class Around, class Over, class GoesOn>
 std::vector<std::uint64_t> recorded_in_processes(int chance, Over over, GoesOn goes_on) {
   static int number = 0;
   const std::string name = "cca_semantics_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
@@ -104,13 +167,15 @@ std::vector<std::uint64_t> recorded_in_processes(int chance, Over over, GoesOn g
     int ends[2];
     if (::pipe(ends) != 0) return {};
     if (::fork() == 0) {
+      is_alone = false;
+      own_environment = e;
       ::alarm(120);  // no process waits for ever for one that has failed
       const cca::only here{cca::detail::environments_of<Deployment>::all[static_cast<std::size_t>(e)].name};
       const auto d = std::make_unique<cca::deployed<Deployment>>(here, over(name));
       d->load();
       d->start();
-      const log own =
-          recorded(*d, chance, [&](auto& p, unsigned random) { return goes_on(p, random, all_are_here); });
+      const log own = recorded<Around>(
+          *d, chance, [&](auto& p, unsigned random) { return goes_on(p, random, all_are_here); });
       for (const firing& f : own) {
         const std::uint64_t one = digest(f);
         if (::write(ends[1], &one, sizeof one) != sizeof one) ::_exit(1);
@@ -137,29 +202,30 @@ inline std::vector<std::uint64_t> digests(const log& firings) {
 }
 
 // Processes do what threads do, until a fault and with restarts. `until_fault`: what the threads did.
-template <class Deployment, class Over>
+template <class Deployment, class Around, class Over>
 bool processes_agree(int chance, const log& until_fault, Over over) {
-  return digests(until_fault) == recorded_in_processes<Deployment>(chance, over, until_a_fault) &&
-         digests(recorded_with_restarts<cca::deployed<Deployment>>(chance)) ==
-             recorded_in_processes<Deployment>(chance, over, with_restarts);
+  return digests(until_fault) == recorded_in_processes<Deployment, Around>(chance, over, until_a_fault) &&
+         digests(recorded_with_restarts<Around, cca::deployed<Deployment>>(chance)) ==
+             recorded_in_processes<Deployment, Around>(chance, over, with_restarts);
 }
 
 // With `Architecture`: restarted it is compared with the controller too. With `InProcesses`: also run by
 // processes.
-template <class Deployment, class Architecture = void, bool InProcesses = false>
+template <class Deployment, class Around, class Architecture = void, bool InProcesses = false>
 outcome run_deployed(int chance) {
   outcome o;
   o.is_merged = true;
   const auto d = std::make_unique<cca::deployed<Deployment>>();
   d->load();
   d->start();
-  o.firings = recorded(*d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
+  o.firings =
+      recorded<Around>(*d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
   o.faulted = d->state() == cca::state::faulted;
   if constexpr (!std::is_void_v<Architecture>)
-    o.copy_agrees = agree(recorded_with_restarts<cca::controller<Architecture>>(chance), 0,
-                          recorded_with_restarts<cca::deployed<Deployment>>(chance));
+    o.copy_agrees = agree(recorded_with_restarts<Around, cca::controller<Architecture>>(chance), 0,
+                          recorded_with_restarts<Around, cca::deployed<Deployment>>(chance));
   if constexpr (InProcesses)
-    o.processes_agree = processes_agree<Deployment>(
+    o.processes_agree = processes_agree<Deployment, Around>(
         chance, o.firings, [](const std::string& name) { return cca::shared_memory("/" + name); });
   return o;
 }

@@ -13,11 +13,11 @@
 
 namespace semantics {
 
-template <class Deployment>
+template <class Deployment, class Around>
 outcome run_over_dds(int chance) {
   static const auto domain = static_cast<std::uint32_t>(::getpid()) % 200;
-  outcome o = run_deployed<Deployment>(chance);
-  o.processes_agree = processes_agree<Deployment>(
+  outcome o = run_deployed<Deployment, Around>(chance);
+  o.processes_agree = processes_agree<Deployment, Around>(
       chance, o.firings, [](const std::string& name) { return cca::dds::domain(domain, name); });
   return o;
 }

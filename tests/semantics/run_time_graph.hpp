@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 #include <iterator>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "firing.hpp"
@@ -65,7 +67,8 @@ enum class when_full { drop_oldest, drop_newest, reject };
 struct way {
   int writer = -1, port = -1;
   std::int64_t delay = 0;
-  bool is_taken = false;  // it brings what the writer's input number `port` takes from its queue
+  bool is_taken = false;   // it brings what the writer's input number `port` takes from its queue
+  std::int64_t since = 0;  // into a queue: what was published before this beat does not come
 };
 
 struct input {
@@ -76,6 +79,7 @@ struct input {
   policy is = policy::latest;
   bool is_merged = false;
   bool is_heard = false;                  // by an observer
+  std::tuple<int, bool, int> heard{};     // it hears this port: of which call, an input or not, its number
   int shown_call = -1, shown_input = -1;  // it shows what waits in the queue of this input
   std::size_t capacity = 0;
   when_full full = when_full::drop_oldest;
@@ -100,7 +104,8 @@ struct observed {
   std::int64_t delay = 0;
 };
 
-// One call in a beat: of a component, or of one function of a resource node.
+// One call in a beat: of a component, or of one function of a resource node. function::look: what a graph
+// observes for a program.
 struct call {
   int node = -1;
   function which = function::process;
@@ -134,9 +139,10 @@ struct node {
   bool resource = false;
   strategy when;
   int id = 0;
-  std::vector<int> parts{};     // that have it, and may be stopped
-  std::vector<request> asks{};  // of parts, each time it fires
-  std::string skeleton{};       // its kind: a component of the library's, which writes nothing down
+  std::vector<int> parts{};                             // that have it, and may be stopped
+  std::vector<request> asks{};                          // of parts, each time it fires
+  std::vector<std::pair<std::string, int>> switches{};  // of modes: the name, and the salt
+  std::string skeleton{};  // its kind: a component of the library's, which writes nothing down
   std::function<void(firing&)> does;
 };
 
@@ -147,7 +153,12 @@ struct graph {
   std::vector<call> calls;  // as declared
   std::vector<part> parts;
   std::map<std::string, std::vector<std::string>> second_names;  // of a port, as graphs expose it
+  std::vector<std::int64_t> looks;                               // before these beats a program looks
   std::map<std::string, int> features;                           // counted by who made the graph
+  std::string mode;                                              // empty: it is no mode
+  std::vector<graph> modes;                                      // all of its set
+  std::vector<std::pair<std::int64_t, std::string>> switches;    // before these beats somebody switches
+  int switched = 0;                                              // so often have components
 };
 
 // An input as its component sees it.

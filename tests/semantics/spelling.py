@@ -5,6 +5,7 @@ The text is made from the nested form: what `expose` does is worked out here by 
 import random
 
 from architecture import DIMENSIONS, Graph, Node
+from outside import around_cpp
 from skeletons import group_cpp, skeleton_cpp
 
 
@@ -57,6 +58,20 @@ def exposed(made):
 
 
 
+def watched(made):
+    """What graphs observe for programs: path of the graph, pattern, policy."""
+    found = []
+
+    def walk(graph, path):
+        found.extend((path, *one) for one in graph.observes)
+        for name, child in graph.children:
+            if isinstance(child, Graph):
+                walk(child, f"{path}.{name}" if path else name)
+
+    walk(made.top, "")
+    return found
+
+
 def words(strategy):
     kind, rest = strategy[0], strategy[1:]
     if kind in ("any_of", "all_of"):
@@ -70,8 +85,25 @@ def words(strategy):
 
 def text(made):
     lines = [f"architecture {made.seed}", f"period {made.period}"]
+    if hasattr(made, "modes"):
+        for mode in made.modes:
+            for feature, n in mode.features.items():
+                made.count(feature, n)
     lines += [f"feature {n} {name}" for name, n in sorted(made.features.items()) if n]
+    if hasattr(made, "modes"):
+        for k, name in made.switches:
+            lines.append(f"switch {k} {name}")
+        lines += ["look " + " ".join(map(str, made.looks))] if made.looks else []
+        for mode in made.modes:
+            lines += [f"mode {mode.name}", *text_of_graph(mode)]
+    else:
+        lines += text_of_graph(made)
+    return "\n".join(lines) + "\n"
+
+
+def text_of_graph(made):
     nodes, wires = flat(made)
+    lines = []
     if made.environments > 1:
         lines += [f"feature {n} {name}" for name, n in crossings(made).items() if n]
     lines += [f"exposed {name} {port}" for name, port in exposed(made)]
@@ -92,12 +124,15 @@ def text(made):
         for spelled, kind in node.asks:
             asked = spelled[1:] if spelled[0] == "/" else f"{around}.{spelled}" if around else spelled
             lines.append(f"asks {path} {asked} {kind} {salt(spelled, kind)}")
+        lines += [f"switches {path} {name} {salt(name, '')}" for name in node.switches]
+    lines += [" ".join(map(str, ("watch", path or "-", pattern) + policy)) for path, pattern, policy in watched(made)]
+    lines += ["look " + " ".join(map(str, made.looks))] if made.looks else []
     for a, b, wire in wires:
         line = f"wire {a} {b} " + " ".join(map(str, wire.policy))
         if wire.initial:
             line += " initial " + " ".join(map(str, wire.initial))
         lines.append(line)
-    return "\n".join(lines) + "\n"
+    return lines
 
 
 def salt(path, kind):
@@ -142,7 +177,7 @@ def strategy_cpp(strategy):
 
 def policies_cpp(policy):
     options = []
-    if policy[0] == "delayed":
+    if policy and policy[0] == "delayed":
         options.append(f"cca::delayed<{policy[1]}>")
         policy = policy[2:]
     if policy and policy[0] in ("queue", "merged"):
@@ -157,6 +192,7 @@ def function_cpp(node, function):
     if node.hears:
         inputs.append(f'cca::observe<{", ".join([f"{chr(34)}{node.hears}{chr(34)}"] + policies_cpp(node.hears_policy))}>')
     outputs += [f'cca::{kind}<"{path}">' for path, kind in node.asks]
+    outputs += [f'cca::switch_to<"{name}">' for name in node.switches]
     if node.fault_function == function:
         outputs.insert(0 if node.fault_first else len(outputs), "cca::fault")
     return f"reads<{', '.join(inputs)}>, tells<{', '.join(outputs)}>"
@@ -191,6 +227,7 @@ def graph_cpp(graph, rng):
             options.append("cca::initial<" + ", ".join(map(str, wire.initial[:1] if same else wire.initial)) + ">")
         others.append(", ".join([f'cca::wire<"{a}"', f'"{b}"'] + options) + ">")
     others += [f'cca::expose<"{inner}", "{outer}">' for outer, inner in graph.exposes.items()]
+    others += [f'cca::observe<{", ".join([f"{chr(34)}{pattern}{chr(34)}"] + policies_cpp(policy))}>' for pattern, policy in graph.observes]
     if graph.rate:
         others.append(f"cca::rate<{graph.rate}>")
     rng.shuffle(others)  # only nodes have an order that means something
@@ -219,7 +256,7 @@ def placed(made, rng):
     return [(e, paths) for e, paths in named.items() if paths]
 
 
-def deployment_cpp(made, rng):
+def deployment_cpp(made, rng, what="top"):
     environments = placed(made, rng)
     rng.shuffle(environments)
     rest = rng.randrange(2 * len(environments))  # half of them name all nodes
@@ -229,10 +266,34 @@ def deployment_cpp(made, rng):
     for e, (which, paths) in enumerate(environments):
         nodes = "cca::other_nodes" if e == rest else "cca::nodes<" + ", ".join(f'"{path}"' for path in paths) + ">"
         items.append(f'cca::environment<"e{e}", {nodes}' + (", cca::free_running>" if which == made.free else ">"))
-    return "struct spread : cca::deployment<top,\n    " + ",\n    ".join(items) + "> {};\n"
+    return f"struct spread : cca::deployment<{what},\n    " + ",\n    ".join(items) + "> {};\n"
+
+
+def code_of_modes(made, over_dds):
+    rng = random.Random(made.seed)
+    lines = [f"namespace architecture_{made.seed} {{", "using namespace semantics;\n"]
+    for mode in made.modes:
+        lines += [graph_cpp(graph, rng) for graph in reversed(mode.types)]
+    modes = ", ".join(f'cca::mode<"{mode.name}", {mode.name}_top>' for mode in made.modes)
+    lines.append(f"struct moves : cca::modes<{modes}> {{}};\n")
+    if made.environments > 1:
+        lines.append(deployment_cpp(made.base, rng, "moves"))
+    lines.append(f'constexpr char text[] = R"({text(made)})";')
+    paths = dict.fromkeys(path for mode in made.modes for path, _ in mode.parts())
+    nodes = [one for mode in made.modes for one in flat(mode)[0]]
+    inside = {path: {node.environment for at, node in nodes if at == path or at.startswith(path + ".")} for path in paths}
+    around = around_cpp(made, [], sorted(made.base.rests.items()), inside, made.switches)
+    lines += [around] if around else []
+    outside = "around" if around else "nothing_outside" if made.environments > 1 else "in_the_loop"
+    forms = ", moves" if made.seed % 4 == 0 else ", void, true" if made.seed % 4 == 1 else ""
+    run = f"run_over_dds<spread, {outside}>" if over_dds else f"run_deployed<spread, {outside}{forms}>" if made.environments > 1 else f"run<moves, {outside}>"
+    lines.append(f"const registered here{{{made.seed}, text, &{run}}};\n\n}}  // namespace architecture_{made.seed}\n")
+    return "\n".join(lines)
 
 
 def code(made, over_dds=False):
+    if hasattr(made, "modes"):
+        return code_of_modes(made, over_dds)
     rng = random.Random(made.seed)
     lines = [f"namespace architecture_{made.seed} {{", "using namespace semantics;\n"]
     lines += [graph_cpp(graph, rng) for graph in reversed(made.types)]  # inner ones first
@@ -248,16 +309,11 @@ def code(made, over_dds=False):
         lines += [f"\n{closed}", *as_long, f"namespace architecture_{made.seed} {{"]
     nodes = flat(made)[0]
     crews = [path for path, node in nodes if node.skeleton and node.skeleton[0] == "on_threads"]
-    resting = [(path, rests) for path, rests in made.parts() if rests]
-    around = crews or resting
-    if around:
-        waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
-        stops = " ".join(f'if (k == {rests[0]}) c.template stop<"{path}">(); if (k == {rests[1]}) c.start("{path}");' for path, rests in resting)
-        lines.append("struct around : in_the_loop {\n  template <class Controller>\n"
-                     f"  static void before([[maybe_unused]] Controller& c, [[maybe_unused]] int k) {{ {stops} }}\n"
-                     "  template <class Controller>\n"
-                     f"  static void settle([[maybe_unused]] Controller& c) {{ {waits} }}\n}};")
+    inside = {path: {node.environment for at, node in nodes if at == path or at.startswith(path + ".")} for path, _ in made.parts()}
+    around = around_cpp(made, crews, made.parts(), inside)
+    lines += [around] if around else []
+    outside = "around" if around else "nothing_outside"
     forms = ", top" if made.seed % 4 == 0 else ", void, true" if made.seed % 4 == 1 else ""
-    run = "run_over_dds<spread>" if over_dds else f"run_deployed<spread{forms}>" if made.environments > 1 else f"run<top{', around' if around else ''}>"
+    run = f"run_over_dds<spread, {outside}>" if over_dds else f"run_deployed<spread, {outside}{forms}>" if made.environments > 1 else f"run<top{', around' if around else ''}>"
     lines.append(f"const registered here{{{made.seed}, text, &{run}}};\n\n{closed}")
     return "\n".join(lines)
