@@ -232,7 +232,8 @@ static_assert(!cca::Deployment<of_component> && !cca::well_formed<of_component>)
 static_assert(tells<of_component, mended>(
     {"graph.unknown_item", "of_component",
      "`sink<>` in of_component is no graph: the first argument of cca::deployment is the architecture, a "
-     "struct derived from cca::graph<...>, and the environments follow"}));
+     "struct derived from cca::graph<...> or, of several modes, from cca::modes<...>, and the environments "
+     "follow"}));
 
 // A deployment without a name of its own.
 static_assert(

@@ -9,8 +9,6 @@
 // tests/runtime/math/coefficients.sollya.
 #pragma once
 
-#include <array>
-
 #include <cca/base/math/rounding.hpp>
 
 namespace cca::math {
@@ -68,7 +66,7 @@ CCA_INLINE constexpr auto can_reduce(T x) {  // no for NaN
   const int exponent = static_cast<int>(all_bits >> 52 & 0x7ff) - 1075;  // |x| = m 2^exponent
   const int first = exponent > 34 ? (exponent - 2) / 32 : 0;  // limbs before it give multiples of 4
   // m times these limbs, in ten limbs of 32 bits, the highest first.
-  std::array<std::uint64_t, 10> sum{};
+  std::uint64_t sum[10] = {};
   for (int i = 0; i < 8; ++i) {
     const std::uint64_t limb = two_over_pi[first + i], low = limb * (m & 0xffffffff), high = limb * (m >> 32);
     sum[i + 2] += low & 0xffffffff;
