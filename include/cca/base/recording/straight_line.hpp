@@ -108,7 +108,7 @@ public:
   template <class... In>
   [[gnu::noinline]] static void evaluate(results out, const In*... in) {
     static_assert(sizeof...(In) == Algorithm::sizes.size());
-    double v[rows + 1];
+    double v[std::size_t{rows + 1}];
     load_all(v, std::make_integer_sequence<int, static_cast<int>(sizeof...(In))>{}, in...);
     constants(v, std::make_integer_sequence<int, t.constants>{});
     operations(v, std::make_integer_sequence<int, t.operations>{});

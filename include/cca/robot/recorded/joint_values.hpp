@@ -45,12 +45,12 @@ class joint_values {
   }
 
 public:
-  double numbers[2 * count + (count == 0)];
+  double numbers[std::size_t{2 * count + (count == 0)}];
 
   // Why it is not inlined: docs/compilers.md.
   template <class Vector>
   [[gnu::noinline]] void take(const Vector& q) {
-    double x[count + 1];
+    double x[std::size_t{count + 1}];
     unrolled<count>([&](auto k) {
       constexpr joint_value v = body.values[static_cast<std::size_t>(k())];
       if constexpr (v.ratio == 1) x[k()] = q[v.coordinate];

@@ -51,7 +51,7 @@ struct recorded_quantity {
   static constexpr int n = axes_of<Body>::count, values = body.value_count;
   static constexpr const auto& sets = coordinate_sets_of<Body>;
   static constexpr auto sizes = [] {
-    std::array<int, 1 + Vectors + Threes> all{2 * values};
+    std::array<int, std::size_t{1 + Vectors + Threes}> all{2 * values};
     for (int i = 0; i < Vectors; ++i) all[static_cast<std::size_t>(1 + i)] = n;
     for (int i = 0; i < Threes; ++i) all[static_cast<std::size_t>(1 + Vectors + i)] = 3;
     return all;

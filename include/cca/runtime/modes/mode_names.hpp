@@ -54,9 +54,10 @@ protected:
   static std::string unknown_mode(std::string_view wrong) {
     std::vector<std::string_view> names;
     for (int m = 0; m < all.count; ++m) names.push_back(all.modes[m].name);
-    std::string text = std::string(all.name) + " has no mode `" + std::string(wrong) + "`";
+    std::string text(all.name);
+    text.append(" has no mode `").append(wrong).append("`");
     if (const auto near = nearest_name(wrong, names); !near.empty())
-      return text + "; did you mean `" + std::string(near) + "`?";
+      return text.append("; did you mean `").append(near).append("`?");
     text += "; it has";
     for (std::size_t m = 0; m < names.size(); ++m) text.append(m ? ", `" : " `").append(names[m]).append("`");
     return text;
