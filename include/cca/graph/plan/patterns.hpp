@@ -198,7 +198,6 @@ public:
   }
   names_of_ports(const names_of_ports&) = delete;
   names_of_ports& operator=(const names_of_ports&) = delete;
-  constexpr ~names_of_ports() { delete[] names; }
 
   // As any_name.
   template <class F>
@@ -213,18 +212,10 @@ public:
 private:
   constexpr void add(const flat_view& g, int number, const port_name& own) {
     any_name(g, own, [this](const port_name& name) {
-      if (count == room) widen();
-      names[count++] = name;
+      names.add(name);
       return false;
     });
-    first[number + 1] = count;
-  }
-  constexpr void widen() {
-    room = room == 0 ? 16 : 2 * room;
-    auto* const wider = new port_name[static_cast<std::size_t>(room)];
-    for (int n = 0; n < count; ++n) wider[n] = names[n];
-    delete[] names;
-    names = wider;
+    first[number + 1] = names.size();
   }
   template <class F>
   constexpr bool any(int number, F& f) const {
@@ -233,9 +224,9 @@ private:
     return false;
   }
 
-  int outputs, count = 0, room = 0;
+  int outputs;
   scratch first;
-  port_name* names = nullptr;
+  growing_array<port_name> names;
 };
 
 // What a pattern names in one graph.

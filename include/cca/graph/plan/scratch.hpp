@@ -25,4 +25,32 @@ private:
 };
 using scratch = scratch_of<int>;
 
+// An array that grows. A template: clang 19 crashes in a class with such a destructor after a fatal error.
+template <class T>
+class growing_array {
+public:
+  constexpr growing_array() = default;
+  growing_array(const growing_array&) = delete;
+  growing_array& operator=(const growing_array&) = delete;
+  constexpr ~growing_array() { delete[] all; }
+  constexpr void add(const T& one) {
+    if (count == room) widen();
+    all[count++] = one;
+  }
+  constexpr int size() const { return count; }
+  constexpr const T& operator[](int i) const { return all[i]; }
+
+private:
+  constexpr void widen() {
+    room = room == 0 ? 16 : 2 * room;
+    auto* const wider = new T[static_cast<std::size_t>(room)];
+    for (int n = 0; n < count; ++n) wider[n] = all[n];
+    delete[] all;
+    all = wider;
+  }
+
+  T* all = nullptr;
+  int count = 0, room = 0;
+};
+
 }  // namespace cca::detail
