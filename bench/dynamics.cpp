@@ -1,16 +1,10 @@
 // The dynamics of an arm of seven joints, by the library and by Orocos KDL.
 //
-//   dynamics check                 compares all results; exits with 1 if they differ
-//   dynamics list                  the names of the quantities
-//   dynamics NAME cca|kdl ROUNDS   computes one quantity this many times, for another state each time (under
-//                                  callgrind)
-//   dynamics NAME allocations      the allocations of 1000 rounds of the library
+//   dynamics NAME cca|kdl ROUNDS   (two_ways.hpp)
 //
 // Each round begins with the angles: no side reuses the kinematics of the round before. KDL's solvers are
 // made once.
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include <kdl/chaindynparam.hpp>
@@ -22,8 +16,7 @@
 #include <cca/robot/dynamics/forward_dynamics.hpp>
 
 #include "arm.hpp"
-
-extern "C" long bench_allocations();
+#include "two_ways.hpp"
 
 namespace bench {
 
@@ -107,85 +100,50 @@ struct jacobian {
   }
 };
 
-// Another state in each round, without a cost that counts.
-state next(int round) {
-  state s;
-  for (int i = 0; i < 7; ++i) {
-    const double x = (round * 7 + i) * 0.61803398875;
-    s.q[i] = 2 * (x - std::floor(x)) - 1;
-    s.dq[i] = 0.7 - s.q[i];
-    s.input[i] = 3 * s.q[i] + 1;
-  }
-  return s;
-}
-
-// Of the library and of KDL: a call each, as in a beat of a controller.
-template <class Quantity>
-[[gnu::noinline]] auto once_cca(const state& s) {
-  return Quantity::cca(s);
-}
 template <class Quantity>
 [[gnu::noinline]] auto once_kdl(by_kdl& k) {
   return Quantity::kdl(k);
 }
 
-template <class Quantity>
-int run(std::string_view how, int rounds) {
-  by_kdl k;
-  double sum = 0;
-  for (int i = 0; i < rounds; ++i) {
-    const state s = next(i);
-    if (how == "cca") {
-      sum += once_cca<Quantity>(s).sum();
-    } else {
+struct beside_kdl {
+  static state next(int round) {
+    state s;
+    spread(s, round);
+    return s;
+  }
+  template <class Quantity>
+  static bool check() {
+    by_kdl k;
+    for (int i = 0; i < 100; ++i) {
+      const state s = next(i);
       k.take(s);
-      sum += once_kdl<Quantity>(k).sum();
+      const auto ours = once_cca<Quantity>(s), theirs = once_kdl<Quantity>(k);
+      if ((ours - theirs).norm() < 1e-9 * (1 + theirs.norm())) continue;
+      std::fprintf(stderr, "%s differs from KDL by %g\n", Quantity::name, (ours - theirs).norm());
+      return false;
     }
+    return true;
   }
-  return std::isfinite(sum) ? 0 : 1;
-}
-
-template <class Quantity>
-bool check() {
-  by_kdl k;
-  for (int i = 0; i < 100; ++i) {
-    const state s = next(i);
-    k.take(s);
-    const auto ours = once_cca<Quantity>(s), theirs = once_kdl<Quantity>(k);
-    if ((ours - theirs).norm() < 1e-9 * (1 + theirs.norm())) continue;
-    std::fprintf(stderr, "%s differs from KDL by %g\n", Quantity::name, (ours - theirs).norm());
-    return false;
-  }
-  return true;
-}
-
-template <class... Quantities>
-int program(int argc, char** argv) {
-  const std::string_view what = argc > 1 ? argv[1] : "";
-  if (what == "check") return (check<Quantities>() && ...) ? 0 : 1;
-  if (what == "list") {
-    (std::puts(Quantities::name), ...);
-    return 0;
-  }
-  int result = 2;
-  const auto try_one = [&]<class Quantity>(Quantity) {
-    if (what != Quantity::name) return;
-    if (argc == 4) result = run<Quantity>(argv[2], std::atoi(argv[3]));
-    if (argc == 3 && std::string_view(argv[2]) == "allocations") {
-      const long before = bench_allocations();
-      double sum = 0;
-      for (int i = 0; i < 1000; ++i) sum += once_cca<Quantity>(next(i)).sum();
-      std::printf("%ld\n", bench_allocations() - before);
-      result = std::isfinite(sum) ? 0 : 1;
+  template <class Quantity>
+  static double sum(std::string_view way, int rounds) {
+    by_kdl k;
+    double sum = 0;
+    for (int i = 0; i < rounds; ++i) {
+      const state s = next(i);
+      if (way == "cca") {
+        sum += once_cca<Quantity>(s).sum();
+      } else {
+        k.take(s);
+        sum += once_kdl<Quantity>(k).sum();
+      }
     }
-  };
-  (try_one(Quantities{}), ...);
-  return result;
-}
+    return sum;
+  }
+};
 
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  return bench::program<bench::mass_matrix, bench::coriolis, bench::gravity, bench::inverse, bench::forward,
-                        bench::jacobian>(argc, argv);
+  return bench::program<bench::beside_kdl, bench::mass_matrix, bench::coriolis, bench::gravity,
+                        bench::inverse, bench::forward, bench::jacobian>(argc, argv);
 }

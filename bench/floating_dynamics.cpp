@@ -1,23 +1,17 @@
 // The dynamics of a quadruped with a free base: recorded at compile time, and by the loops over its links
 // that larger bodies use.
 //
-//   floating_dynamics check                      compares all results; exits with 1 if they differ
-//   floating_dynamics list                       the names of the quantities
-//   floating_dynamics NAME cca|loops ROUNDS      computes one quantity this many times, for another state each
-//                                                time (under callgrind)
-//   floating_dynamics NAME allocations           the allocations of 1000 rounds of the library
+//   floating_dynamics NAME cca|loops ROUNDS      (two_ways.hpp)
 //
 // Each round begins with the angles. "sines" is what they take: the arithmetic is the rest.
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include <cca/robot/dynamics/forward_dynamics.hpp>
 
 #include "quadruped.hpp"
-
-extern "C" long bench_allocations();
+#include "two_ways.hpp"
 
 namespace bench {
 
@@ -76,69 +70,40 @@ struct mass_matrix {
   }
 };
 
-// Another state in each round, without a cost that counts.
-state next(int round) {
-  state s;
-  for (int i = 0; i < n; ++i) {
-    const double x = (round * n + i) * 0.61803398875;
-    s.q[i] = 2 * (x - std::floor(x)) - 1;
-    s.dq[i] = 0.7 - s.q[i];
-    s.input[i] = 3 * s.q[i] + 1;
-  }
-  s.base = {{0.3, -0.5, -9.7}, {0.4, s.q[0], 0.3}, {1, 2, s.q[1]}, {0.5, 0.1, -2}};
-  return s;
-}
-
-template <class Quantity>
-[[gnu::noinline]] auto once_cca(const state& s) {
-  return Quantity::cca(s);
-}
 template <class Quantity>
 [[gnu::noinline]] auto once_loops(const state& s) {
   return Quantity::loops(s);
 }
 
-template <class Quantity>
-bool check() {
-  for (int i = 0; i < 100; ++i) {
-    const state s = next(i);
-    const auto a = once_cca<Quantity>(s), b = once_loops<Quantity>(s);
-    if ((a - b).cwiseAbs().maxCoeff() <= 1e-12 * b.cwiseAbs().maxCoeff()) continue;
-    std::fprintf(stderr, "%s differs from the loops by %g\n", Quantity::name, (a - b).norm());
-    return false;
+struct beside_loops {
+  static state next(int round) {
+    state s;
+    spread(s, round);
+    s.base = {{0.3, -0.5, -9.7}, {0.4, s.q[0], 0.3}, {1, 2, s.q[1]}, {0.5, 0.1, -2}};
+    return s;
   }
-  return true;
-}
-
-template <class... Quantities>
-int program(int argc, char** argv) {
-  const std::string_view what = argc > 1 ? argv[1] : "";
-  if (what == "check") return (check<Quantities>() && ...) ? 0 : 1;
-  if (what == "list") {
-    (std::puts(Quantities::name), ...);
-    return 0;
-  }
-  int result = 2;
-  const auto try_one = [&]<class Quantity>(Quantity) {
-    if (what != Quantity::name) return;
-    double sum = 0;
-    if (argc == 4)
-      for (int i = 0; i < std::atoi(argv[3]); ++i)
-        sum += std::string_view(argv[2]) == "cca" ? once_cca<Quantity>(next(i)).sum()
-                                                  : once_loops<Quantity>(next(i)).sum();
-    if (argc == 3 && std::string_view(argv[2]) == "allocations") {
-      const long before = bench_allocations();
-      for (int i = 0; i < 1000; ++i) sum += once_cca<Quantity>(next(i)).sum();
-      std::printf("%ld\n", bench_allocations() - before);
+  template <class Quantity>
+  static bool check() {
+    for (int i = 0; i < 100; ++i) {
+      const state s = next(i);
+      const auto a = once_cca<Quantity>(s), b = once_loops<Quantity>(s);
+      if ((a - b).cwiseAbs().maxCoeff() <= 1e-12 * b.cwiseAbs().maxCoeff()) continue;
+      std::fprintf(stderr, "%s differs from the loops by %g\n", Quantity::name, (a - b).norm());
+      return false;
     }
-    result = std::isfinite(sum) ? 0 : 1;
-  };
-  (try_one(Quantities{}), ...);
-  return result;
-}
+    return true;
+  }
+  template <class Quantity>
+  static double sum(std::string_view way, int rounds) {
+    double sum = 0;
+    for (int i = 0; i < rounds; ++i)
+      sum += way == "cca" ? once_cca<Quantity>(next(i)).sum() : once_loops<Quantity>(next(i)).sum();
+    return sum;
+  }
+};
 
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  return bench::program<bench::sines, bench::inverse, bench::mass_matrix>(argc, argv);
+  return bench::program<bench::beside_loops, bench::sines, bench::inverse, bench::mass_matrix>(argc, argv);
 }
