@@ -15,6 +15,8 @@
 #include <cca/config.hpp>
 #include <cca/runtime/live/live_access.hpp>
 
+#include "../running.hpp"
+
 namespace live_test {
 
 using namespace std::chrono_literals;
@@ -44,12 +46,7 @@ struct source {
   int broken = 0, starts = 0, stops = 0;
 };
 
-inline std::string refusal(auto f) {
-  try {
-    f();
-  } catch (const cca::refused& e) { return e.what(); }
-  return "nothing";
-}
+using test::refusal;
 
 inline void wait_until(auto holds) {
   bool has_come = holds();

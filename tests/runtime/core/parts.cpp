@@ -10,6 +10,7 @@
 #include <cca/deployment.hpp>
 #include <cca/modes.hpp>
 
+#include "../running.hpp"
 #include "counting.hpp"
 
 using namespace core_test;
@@ -62,19 +63,8 @@ struct skilled : cca::graph<cca::rate<1000>,
                             cca::wire<"reach.y", "last.x">> {};
 // [part end]
 
-std::string refusal(auto f) {
-  try {
-    f();
-  } catch (const cca::refused& e) { return e.what(); }
-  return "nothing";
-}
-template <class Played>
-Played running() {
-  Played c;
-  c.load();
-  c.start();
-  return c;
-}
+using test::refusal;
+using test::running;
 using beats = std::vector<std::int64_t>;
 
 // ---- by components ----

@@ -9,6 +9,7 @@
 #include <cca/motor.hpp>
 #include <cca/robot.hpp>
 
+#include "../running.hpp"
 #include "counting.hpp"
 
 using namespace core_test;
@@ -47,20 +48,8 @@ struct split : cca::deployment<looking,
                                cca::environment<"front", cca::nodes<"viewer">>,
                                cca::environment<"back", cca::other_nodes>> {};
 
-std::string refusal(auto f) {
-  try {
-    f();
-  } catch (const cca::refused& e) { return e.what(); }
-  return "nothing";
-}
-
-template <class Played>
-Played running() {
-  Played c;
-  c.load();
-  c.start();
-  return c;
-}
+using test::refusal;
+using test::running;
 
 }  // namespace
 

@@ -13,6 +13,8 @@
 #include <cca/modes.hpp>
 #include <cca/runtime/live/live_access.hpp>
 
+#include "../running.hpp"
+
 namespace {
 
 struct number : cca::space<cca::number, cca::axes<cca::x>> {};
@@ -116,13 +118,7 @@ struct heard_apart : cca::deployment<heard,
                                      cca::environment<"eyes", cca::nodes<"eyes">, cca::free_running>,
                                      cca::environment<"rest", cca::other_nodes>> {};
 
-template <class Played>
-Played running() {
-  Played c;
-  c.load();
-  c.start();
-  return c;
-}
+using test::running;
 
 }  // namespace
 

@@ -11,6 +11,8 @@
 
 #include <cca/deployment.hpp>
 
+#include "../running.hpp"
+
 namespace parts_test {
 
 struct number : cca::space<cca::number, cca::axes<cca::x>> {};
@@ -90,13 +92,7 @@ struct in_two : cca::deployment<skilled<FaultsIn>,
                                 cca::environment<"robot", cca::nodes<"source", "orders", "others", "last">>,
                                 cca::environment<"mind", cca::other_nodes>> {};
 
-template <class Played>
-Played running() {
-  Played c;
-  c.load();
-  c.start();
-  return c;
-}
+using test::running;
 
 inline void check_equal(auto& one, auto& other) {
   const auto same = [](const auto& a, const auto& b) {
