@@ -104,8 +104,8 @@ cca::deployed<D> opened(const char* environment, const std::string& name) {
   return d;
 }
 
-// Both processes ask, for what is here and for what is elsewhere: the bits are those of one loop that was
-// told in these beats.
+// Both processes ask for parts that they run, and for parts that the other one runs. The bits are those of
+// one loop that was told in these beats.
 template <class Meeting, class D>
 void stops_in_the_same_beat() {
   const std::string name = Meeting::other_name();

@@ -55,7 +55,7 @@ public:
     return text;
   }
 
-  // A box; what is in it comes before box_end().
+  // The beginning of a box. Then follows its content, then box_end().
   static String box(bool as_dot, const String& name, std::string_view title, int depth = 1) {
     const String indent(static_cast<std::size_t>(2 * depth), ' ');
     return as_dot ? indent + "subgraph cluster_" + name + " {\n" + indent + "  label=\"" + quoted(title) +

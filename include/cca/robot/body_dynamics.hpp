@@ -188,7 +188,7 @@ auto inverse_dynamics(const body_pose<Type>& now,
   }
 }
 
-// Gravity along the base's axes, m/s^2; without it, that of a base that stands upright.
+// Gravity along the base's axes, m/s^2. Without this argument the base stands upright.
 template <Body Type>
 auto gravity_torques(const body_pose<Type>& now, const Eigen::Matrix<double, 3, 1>& gravity) {
   constexpr const auto& links = detail::weighed_links_of<Type>;

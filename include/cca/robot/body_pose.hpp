@@ -39,7 +39,7 @@ vector3 centre_of_mass(const std::array<body_link, Count>& links,
   return mass > 0 ? vector3(moment / mass) : vector3::Zero();
 }
 
-// All links, placed. A value: what is taken out of it is a copy.
+// All links, placed. It is a value: `links()[i]` is a copy.
 template <std::size_t Count>
 struct placed_links : std::array<placed_link, Count> {
   placed_link operator[](std::size_t i) const { return std::array<placed_link, Count>::operator[](i); }

@@ -1,5 +1,5 @@
-// Parts that stop and start where their components, and those that stop them, run in different environments;
-// what their components see in a deployment is what they see in one loop.
+// Parts whose components run in several environments, and are stopped and started from others. A component
+// sees in a deployment what it sees in one loop.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// A tape: what is left of a recording, in the order in which it is computed.
+// A tape: the operations of a recording that its results need, in the order in which they are computed.
 //
 //   struct product_of_two {                          // what is recorded
 //     static constexpr std::array sizes{1, 1};       // its inputs come from arrays of these sizes

@@ -25,7 +25,7 @@ private:
 };
 using scratch = scratch_of<int>;
 
-// An array that grows. A template: clang 19 crashes in a class with such a destructor after a fatal error.
+// An array that grows. Why it is a template: docs/compilers.md.
 template <class T>
 class growing_array {
 public:

@@ -1,4 +1,4 @@
-// The dynamics of a body as recordings: which inputs each has, and what it gives.
+// The recordings of a body's dynamics, each with its inputs and results.
 //
 // All begin with the joint values (placed_joints.hpp): cosines, then sines. Then come velocities,
 // accelerations or torques over the coordinates, then the base.

@@ -111,7 +111,7 @@ template <class D>
 constexpr bool is_request(int leaving) {
   return leaving >= counts_of<D>.output_count;
 }
-// After them comes what is asked for from outside: what it is, and the number of the part or mode.
+// The orders come after them: what is asked for from outside, as its kind and the number of the part or mode.
 template <class D>
 constexpr bool is_order(int leaving) {
   return leaving >= counts_of<D>.output_count + environment_count<D>;
