@@ -54,7 +54,7 @@ protected:
   static std::string unknown_mode(std::string_view wrong) {
     std::vector<std::string_view> names;
     for (int m = 0; m < all.count; ++m) names.push_back(all.modes[m].name);
-    std::string text(all.name);
+    std::string text(all.name);  // append: docs/compilers.md
     text.append(" has no mode `").append(wrong).append("`");
     if (const auto near = nearest_name(wrong, names); !near.empty())
       return text.append("; did you mean `").append(near).append("`?");
