@@ -101,9 +101,9 @@ struct queued_is_heard_when_published : base {
   using base::base;
   const publication* newest(const input& in) const override {
     if (!in.ways[0].is_taken) return base::newest(in);
-    input published = g.calls[in.ways[0].writer].inputs[in.ways[0].port];
-    for (way& w : published.ways) w.delay += in.ways[0].delay;
-    return base::newest(published);
+    input as_it_came = g.calls[in.ways[0].writer].inputs[in.ways[0].port];
+    for (way& w : as_it_came.ways) w.delay += in.ways[0].delay;
+    return base::newest(as_it_came);
   }
 };
 
