@@ -218,7 +218,7 @@ private:
     }
   }
 
-  const flat_view& g;
+  flat_view g;
   std::string_view transport;
   String prefix, text;
 };

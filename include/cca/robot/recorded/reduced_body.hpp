@@ -64,14 +64,14 @@ struct mass_moments {
     }
   }
   // The same mass as a frame sees it in which its own frame is placed so.
-  constexpr mass_moments seen_from(const constant33& turn, const constant3& at_) const {
+  constexpr mass_moments seen_from(const constant33& turn, const constant3& origin) const {
     mass_moments m;
     m.mass = mass;
     const constant3 h = product(turn, first);
     for (std::size_t r = 0; r < 3; ++r) {
-      m.first[r] = h[r] + mass * at_[r];
+      m.first[r] = h[r] + mass * origin[r];
       for (std::size_t c = r; c < 3; ++c) {
-        double sum = at_[r] * h[c] + h[r] * at_[c] + mass * at_[r] * at_[c];
+        double sum = origin[r] * h[c] + h[r] * origin[c] + mass * origin[r] * origin[c];
         for (std::size_t k = 0; k < 3; ++k)
           for (std::size_t l = 0; l < 3; ++l) sum += turn[r + 3 * k] * at(k, l) * turn[c + 3 * l];
         m.second[index(r, c)] = sum;
