@@ -62,7 +62,7 @@ public:
 
 protected:
   // In the beat of the fault, instead of what would still have come.
-  [[gnu::noinline]] void fail(const beat_outcome& outcome) noexcept {
+  [[gnu::noinline]] void fail(beat_outcome outcome) noexcept {
     reason = outcome;
     Self::visit(call_on_fault{}, self());
     now = after(transition::fail, now);
