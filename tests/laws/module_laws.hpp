@@ -12,8 +12,6 @@
 // `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -23,6 +21,7 @@
 #include <cca/adaptive/module/adaptive_module.hpp>
 
 #include "ode_laws.hpp"
+#include "temporary_file.hpp"
 
 namespace laws {
 
@@ -137,17 +136,6 @@ void refuses_broken_demonstrations() {
   }
 }
 
-class file_of_module {
-public:
-  explicit file_of_module(const std::string& name)
-      : path((std::filesystem::temp_directory_path() / ("cca_" + std::to_string(::getpid()) + "_" + name))
-                 .string()) {}
-  ~file_of_module() { std::filesystem::remove(path); }
-  file_of_module(const file_of_module&) = delete;
-  file_of_module& operator=(const file_of_module&) = delete;
-  std::string path;
-};
-
 // What it says when it reads a file; empty if it takes it.
 template <class Module>
 std::string answer_to(const std::string& path, Module& m) {
@@ -163,7 +151,7 @@ std::string answer_to(const std::string& path, Module& m) {
 
 template <class Case>
 void keeps_its_file() {
-  const file_of_module file("module");
+  const temporary_file file("module");
   const auto m = taught<Case>();
   (void)m->p.files.save.assign(file.path);
   m->on_save();

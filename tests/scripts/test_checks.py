@@ -12,6 +12,7 @@ import make_troubleshooting
 import reject
 import rules
 import snippets
+import temporary
 import version
 import words
 
@@ -420,6 +421,17 @@ class Troubleshooting(Tree):
         self.write("tests/rejects/rule.a-more.cpp", self.REJECT)
         with self.assertRaises(SystemExit):
             make_troubleshooting.main([str(self.root), "--check"])
+
+
+class Temporary(Tree):
+    def found(self, text):
+        self.write("tests/runtime/a.cpp", text)
+        return list(temporary.check(self.root))
+
+    def test_all(self):
+        self.assertEqual(self.found('const auto f = fs::temp_directory_path() /\n  ("a" + std::to_string(::getpid()));\n'), [])
+        self.assertIn("a.cpp:2: other tests", self.found('int i;\nconst auto f = fs::temp_directory_path() / "a.toml";\n')[0])
+        self.assertIn("a.cpp:1: other tests", self.found('std::string f = "/tmp/a.toml";\n')[0])
 
 
 if __name__ == "__main__":

@@ -1,8 +1,6 @@
 // Shared by the tests of this folder: a module that was taught a shape, in a controller.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -13,6 +11,7 @@
 #include <cca/motor/dmp_rhythmic_module.hpp>
 #include <cca/motor/hopf.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "../motor/rig.hpp"
 
 namespace adaptive_test {
@@ -22,22 +21,7 @@ using motor_test::knee;
 using motor_test::leg;
 using motor_test::stride;
 
-// A temporary file for each name, removed at the end.
-struct temporary {
-  std::string path;
-  explicit temporary(const std::string& name)
-      : path((std::filesystem::temp_directory_path() / ("cca_" + std::to_string(::getpid()) + "_" + name))
-                 .string()) {}
-  ~temporary() { std::filesystem::remove(path); }
-  temporary(const temporary&) = delete;
-  temporary& operator=(const temporary&) = delete;
-  std::string text() const {
-    std::ostringstream all;
-    all << std::ifstream(path, std::ios::binary).rdbuf();
-    return all.str();
-  }
-  void write(const std::string& text) const { std::ofstream(path, std::ios::binary) << text; }
-};
+using temporary = laws::temporary_file;
 
 template <class F>
 std::string words_of(F f) {

@@ -3,14 +3,13 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+
+#include "../../laws/temporary_file.hpp"
 
 namespace {
 
@@ -52,10 +51,6 @@ std::string words_of(F f) {
     f();
   } catch (const cca::refused& refusal) { return refusal.what(); }
   return {};
-}
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -126,30 +121,29 @@ TEST_SUITE("parameters by path") {
   }
 
   TEST_CASE("tuned parameters can be saved while the controller is started, and in a run") {
-    const auto file = std::filesystem::temp_directory_path() / "cca_by_path.toml";
+    const laws::temporary_file file("by_path.toml");
     cca::controller<both> c;
-    CHECK_EQ(words_of([&] { c.save(file.string()); }),
+    CHECK_EQ(words_of([&] { c.save(file.path); }),
              "cca::controller: save(file) is refused in the state `created`: load() it first");
     c.load();
     c.start();
     c.set("cpg.frequency", 2.0);
-    c.save(file.string());
+    c.save(file.path);
     CHECK_EQ(c.state(), cca::state::started);
     CHECK_EQ(c.get<"cpg">().saves, 0);
-    CHECK_NE(text_of(file).find("[cpg]\nfrequency = 2.0"), std::string::npos);
+    CHECK_NE(file.text().find("[cpg]\nfrequency = 2.0"), std::string::npos);
     c.run(cca::for_beats<3>{}, {}, [&](auto& running) {
       running.set("cpg.frequency", 3.0);
-      running.save(file.string());
+      running.save(file.path);
       CHECK_EQ(running.state(), cca::state::running);
     });
-    CHECK_NE(text_of(file).find("[cpg]\nfrequency = 3.0"), std::string::npos);
+    CHECK_NE(file.text().find("[cpg]\nfrequency = 3.0"), std::string::npos);
     c.stop();
-    c.save(file.string());
+    c.save(file.path);
     CHECK_EQ(c.state(), cca::state::created);
     CHECK_EQ(c.get<"cpg">().saves, 1);
     cca::controller<both> next;
-    next.load(file.string());
+    next.load(file.path);
     CHECK_EQ(next.parameter<double>("cpg.frequency"), 3.0);
-    std::filesystem::remove(file);
   }
 }

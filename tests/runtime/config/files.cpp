@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct folder {
-  fs::path path =
-      fs::temp_directory_path() / ("cca_config_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  fs::path path = fs::temp_directory_path() / ("cca_config_" + std::to_string(::getpid()));
   folder() { fs::create_directories(path); }
   ~folder() { fs::remove_all(path); }
   std::string operator/(std::string_view name) const { return (path / name).string(); }

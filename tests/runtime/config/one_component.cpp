@@ -2,15 +2,14 @@
 // it is loaded and not started.
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 #include <cca/deployment.hpp>
 #include <cca/modes.hpp>
+
+#include "../../laws/temporary_file.hpp"
 
 namespace {
 
@@ -58,15 +57,6 @@ std::string words_of(F f) {
   } catch (const cca::refused& refusal) { return refusal.what(); }
   return {};
 }
-struct written {
-  explicit written(const std::string& text = {}) { std::ofstream(name) << text; }
-  ~written() { std::filesystem::remove(name); }
-  std::string text() const {
-    std::ifstream in(name);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  std::string name = (std::filesystem::temp_directory_path() / "cca_one_component.toml").string();
-};
 
 }  // namespace
 
@@ -74,48 +64,49 @@ TEST_SUITE("one component") {
   TEST_CASE_TEMPLATE("is saved alone", Played, cca::controller<both>, cca::deployed<split>,
                      cca::controller<modes>) {
     Played c;
-    const written file;
-    CHECK_EQ(words_of([&] { c.template save<"cpg">(file.name); }),
+    const laws::temporary_file file("part.toml");
+    CHECK_EQ(words_of([&] { c.template save<"cpg">(file.path); }),
              "cca::controller: save(path, file) is refused in the state `created`: load() it first");
     c.load();
-    c.template save<"cpg">(file.name);
+    c.template save<"cpg">(file.path);
     CHECK_EQ(file.text(), "[cpg]\nfrequency = 1.5  # 0.1 to 5\n");
     CHECK_EQ(c.template get<"cpg">().saves, 1);
     CHECK_EQ(c.template get<"dmp.ode">().saves, 0);
     CHECK_EQ(c.state(), cca::state::loaded);
-    c.save("dmp", file.name);
+    c.save("dmp", file.path);
     CHECK_EQ(file.text(),
              "[dmp.ode]\nfrequency = 1.5  # 0.1 to 5\n\n[dmp.other]\nfrequency = 1.5  # 0.1 to 5\n");
     CHECK_EQ(c.template get<"dmp.other">().saves, 1);
 
     c.start();
-    c.template save<"dmp">(file.name);
+    c.template save<"dmp">(file.path);
     CHECK_EQ(c.template get<"dmp.ode">().saves, 1);  // it runs: nothing but its parameters
     c.template stop<"dmp">();
-    c.template save<"dmp">(file.name);
+    c.template save<"dmp">(file.path);
     CHECK_EQ(c.template get<"dmp.ode">().saves, 2);  // it is stopped, so its life-cycle allows it
     CHECK_EQ(c.template get<"cpg">().saves, 1);
     CHECK_EQ(c.state(), cca::state::started);
-    CHECK_EQ(words_of([&] { c.save("dnp", file.name); }), "cca::controller: save: there is no node `dnp`");
+    CHECK_EQ(words_of([&] { c.save("dnp", file.path); }), "cca::controller: save: there is no node `dnp`");
   }
 
   TEST_CASE_TEMPLATE("is loaded alone", Played, cca::controller<both>, cca::deployed<split>,
                      cca::controller<modes>) {
     Played c;
-    const written file("[cpg]\nfrequency = 2\n[dmp.ode]\nfrequency = 3\n[dmp.other]\nfrequency = 4\n");
+    const laws::temporary_file file(
+        "part.toml", "[cpg]\nfrequency = 2\n[dmp.ode]\nfrequency = 3\n[dmp.other]\nfrequency = 4\n");
     c.load();
-    c.template load<"dmp.ode">(file.name);
+    c.template load<"dmp.ode">(file.path);
     CHECK_EQ(double(c.template get<"cpg">().p.frequency), 1.5);
     CHECK_EQ(double(c.template get<"dmp.ode">().p.frequency), 3);
     CHECK_EQ(double(c.template get<"dmp.other">().p.frequency), 1.5);
     CHECK_EQ(c.template get<"dmp.ode">().loads, 2);
     CHECK_EQ(c.template get<"cpg">().loads, 1);
     c.start();
-    c.load("cpg", file.name);
+    c.load("cpg", file.path);
     CHECK_EQ(double(c.template get<"cpg">().p.frequency), 2);
     CHECK_EQ(c.template get<"cpg">().loads, 1);  // it runs
     c.stop("dmp");
-    c.template load<"dmp">(file.name);
+    c.template load<"dmp">(file.path);
     CHECK_EQ(double(c.template get<"dmp.other">().p.frequency), 4);
     CHECK_EQ(c.template get<"dmp.other">().loads, 2);
   }
@@ -123,13 +114,14 @@ TEST_SUITE("one component") {
   TEST_CASE("what is refused changes nothing") {
     cca::controller<both> c;
     c.load();
-    const written file("[cpg]\nfrequency = 2\n[dmp.ode]\nfrequency = 3\n[dmp.other]\nfrequency = 40\n");
-    CHECK_NE(words_of([&] { c.load<"dmp">(file.name); }).find("dmp.other.frequency"), std::string::npos);
+    const laws::temporary_file file(
+        "part.toml", "[cpg]\nfrequency = 2\n[dmp.ode]\nfrequency = 3\n[dmp.other]\nfrequency = 40\n");
+    CHECK_NE(words_of([&] { c.load<"dmp">(file.path); }).find("dmp.other.frequency"), std::string::npos);
     CHECK_EQ(double(c.get<"dmp.ode">().p.frequency), 1.5);
     CHECK_EQ(c.get<"dmp.ode">().loads, 1);
-    c.load<"cpg">(file.name);  // what is wrong elsewhere does not matter
+    c.load<"cpg">(file.path);  // what is wrong elsewhere does not matter
     CHECK_EQ(double(c.get<"cpg">().p.frequency), 2);
-    const written typing("[cpgg]\nfrequency = 2\n");
-    CHECK_NE(words_of([&] { c.load<"cpg">(typing.name); }).find("did you mean `cpg`?"), std::string::npos);
+    const laws::temporary_file typing("typing.toml", "[cpgg]\nfrequency = 2\n");
+    CHECK_NE(words_of([&] { c.load<"cpg">(typing.path); }).find("did you mean `cpg`?"), std::string::npos);
   }
 }

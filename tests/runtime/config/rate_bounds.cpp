@@ -1,14 +1,12 @@
 // Bounds that follow from the rate of a node: a file that breaks one is refused whole, with its line.
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <doctest/doctest.h>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+
+#include "../../laws/temporary_file.hpp"
 
 namespace {
 
@@ -34,14 +32,11 @@ struct filtered : cca::graph<cca::rate<1000>,
                              cca::wire<"source.y", "slow.x", cca::latest>> {};
 
 std::string refusal(cca::controller<filtered>& c, const std::string& text) {
-  const auto file =
-      std::filesystem::temp_directory_path() / ("cca_rate_" + std::to_string(::getpid()) + ".toml");
-  std::ofstream(file) << text;
+  const laws::temporary_file file("rate.toml", text);
   std::string words;
   try {
-    c.load(file.string());
+    c.load(file.path);
   } catch (const cca::refused& refused) { words = refused.what(); }
-  std::filesystem::remove(file);
   return words;
 }
 

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
+#include "../../laws/temporary_file.hpp"
 #include "../picture.hpp"
 #include "described.hpp"
 
@@ -85,17 +84,14 @@ struct drawn {
   std::string svg;
 };
 drawn draw(const std::string& dot, const char* name) {
-  const auto file =
-      std::filesystem::temp_directory_path() / (std::string("cca_test_describe_") + name + ".dot");
-  std::ofstream(file) << dot;
+  const laws::temporary_file file(std::string(name) + ".dot", dot);
   drawn d{};
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
-      popen(("dot -Tsvg '" + file.string() + "' 2>&1").c_str(), "r"), [](FILE*) { return 0; });
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(("dot -Tsvg '" + file.path + "' 2>&1").c_str(), "r"),
+                                                   [](FILE*) { return 0; });
   REQUIRE(pipe);
   std::array<char, 4096> part;
   while (const auto n = std::fread(part.data(), 1, part.size(), pipe.get())) d.svg.append(part.data(), n);
   d.result = pclose(pipe.get());
-  std::filesystem::remove(file);
   return d;
 }
 

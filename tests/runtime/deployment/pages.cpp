@@ -3,12 +3,12 @@
 
 #include <unistd.h>
 
-#include <filesystem>
 #include <sstream>
 #include <string>
 
 #include <cca/config.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "robot_and_mind.hpp"
 
 using namespace deployment_test;
@@ -50,9 +50,8 @@ TEST_SUITE("deployment pages") {
   }
 
   TEST_CASE("parameters and components by the paths of the architecture") {
-    const auto folder = std::filesystem::temp_directory_path();
-    const std::string file = folder / "cca_test_deployment.toml";
-    const std::string again = folder / "cca_test_one_loop.toml";
+    const laws::temporary_file deployed_file("deployment.toml"), one_loop_file("one_loop.toml");
+    const auto &file = deployed_file.path, &again = one_loop_file.path;
     // [access]
     cca::deployed<two> d;
     d.load();
@@ -73,8 +72,6 @@ TEST_SUITE("deployment pages") {
     CHECK_EQ(c.get<"filter">().p.gain, 0.2);
     CHECK_EQ(c.parameter<double>("guard.most"), 50.0);
     c.save(again);
-    std::filesystem::remove(file);
-    std::filesystem::remove(again);
   }
 
   TEST_CASE("a deployment is a graph: one loop runs it too") {

@@ -1,6 +1,4 @@
 // A policy: a network whose observations are ports, with weights from a file that knows these ports.
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -12,6 +10,8 @@
 #include <cca/mapping/policy.hpp>
 
 #include <doctest/doctest.h>
+
+#include "../../laws/temporary_file.hpp"
 
 namespace laws {
 std::size_t allocations();
@@ -79,20 +79,7 @@ walk::network::parameters drawn(double size, std::uint64_t seed = 1) {
   return all;
 }
 
-struct temporary {
-  std::string path;
-  explicit temporary(const std::string& name)
-      : path((std::filesystem::temp_directory_path() / ("cca_" + std::to_string(::getpid()) + "_" + name))
-                 .string()) {}
-  ~temporary() { std::filesystem::remove(path); }
-  temporary(const temporary&) = delete;
-  temporary& operator=(const temporary&) = delete;
-  std::string text() const {
-    std::ostringstream all;
-    all << std::ifstream(path, std::ios::binary).rdbuf();
-    return all.str();
-  }
-};
+using temporary = laws::temporary_file;
 
 template <class F>
 std::string words_of(F f) {

@@ -2,13 +2,13 @@
 // started. Parameters from a file while it is started.
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <string>
 #include <tuple>
 
 #include <cca/config.hpp>
 #include <cca/modes.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "../core/counting.hpp"
 
 using namespace core_test;
@@ -173,19 +173,18 @@ TEST_SUITE("stopped in a mode") {
   }
 
   TEST_CASE("load(file) while it is started: the parameters of all modes, and nothing else happens") {
-    const auto file = (std::filesystem::temp_directory_path() / "cca_modes_started.toml").string();
+    const laws::temporary_file file("modes.toml");
     {
       cca::controller<day> other;
       other.set<"gain">({2.5});
       other.set<"later">({7.5});
       other.load();
-      other.save(file);
+      other.save(file.path);
     }
     auto c = started<day>();
     c.run(cca::for_beats<3>{});
     c.stop<"both">();
-    c.load(file);
-    std::filesystem::remove(file);
+    c.load(file.path);
     CHECK_EQ(c.state(), cca::state::started);
     CHECK_EQ(c.mode(), "watch");
     CHECK_EQ(c.beat_index(), 3);

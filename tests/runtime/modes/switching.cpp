@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -11,6 +10,7 @@
 #include <cca/config.hpp>
 #include <cca/modes.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "../core/counting.hpp"
 
 namespace laws {
@@ -326,11 +326,10 @@ TEST_SUITE("switching") {
     CHECK_EQ(c.parameter<double>("offset.gain"), 2.5);
     CHECK_EQ(words_of([&] { c.set("offset.gain", 11.0); }),
              "cca::controller: set: offset.gain: 11 is out of range, expected 0 to 10");
-    const auto file = (std::filesystem::temp_directory_path() / "cca_modes.toml").string();
-    c.save(file);
+    const laws::temporary_file file("modes.toml");
+    c.save(file.path);
     cca::controller<two> other;
-    other.load(file);
-    std::filesystem::remove(file);
+    other.load(file.path);
     CHECK_EQ(other.get<"gain">().p.gain, 4.0);
     CHECK_EQ(other.get<"offset">().p.gain, 2.5);
     std::vector<std::string> paths;

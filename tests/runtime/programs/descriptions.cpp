@@ -14,6 +14,7 @@
 #include <cca/main.hpp>
 
 #include "../deployment/robot_and_mind.hpp"
+#include "../../laws/temporary_file.hpp"
 #include "child.hpp"
 
 using namespace deployment_test;
@@ -21,20 +22,7 @@ using programs_test::child;
 
 namespace {
 
-struct file {
-  std::string path;
-  explicit file(const std::string& name, const std::string& text = "")
-      : path(std::filesystem::temp_directory_path() /
-             ("cca_descriptions_" + std::to_string(::getpid()) + name)) {
-    if (!text.empty()) std::ofstream(path) << text;
-  }
-  ~file() { std::filesystem::remove(path); }
-};
-std::string text_in(const std::string& name) {
-  std::ostringstream text;
-  text << std::ifstream(name).rdbuf();
-  return text.str();
-}
+using file = laws::temporary_file;
 
 // ---- a graph with all kinds of parameters, which its program changes before files are read ----
 
@@ -118,18 +106,18 @@ TEST_CASE("written parameters are those of a run, and load again unchanged") {
   CHECK(first.code() == 0);
   CHECK(first.out == "");
   CHECK(first.err == "");
-  const std::string text = text_in(written.path);
+  const std::string text = written.text();
   CHECK(text.find("height = 0.125\n") != text.npos);             // of the file
   CHECK(text.find("frequency = 0.9  # 0.1 to 5") != text.npos);  // of `prepare`
   CHECK(text.find("offset = \"0.1 rad\"  # -0.9 to 0.9 rad") != text.npos);
   CHECK(text.find("below = \"slope\"  # flat or slope") != text.npos);
   child second(cca::robot_main<walking>, {"--config", written.path, "--write-parameters", again.path});
   CHECK(second.code() == 0);
-  CHECK(text_in(again.path) == text);
+  CHECK(again.text() == text);
 
   child two(cca::robot_main<patient>, {"--write-parameters", written.path});  // a deployment
   CHECK(two.code() == 0);
-  CHECK(text_in(written.path).find("[filter]\ngain = 0.1") != text.npos);
+  CHECK(written.text().find("[filter]\ngain = 0.1") != text.npos);
   child read(cca::robot_main<patient>, {"--config", written.path, "--seconds", "0.01", "--pace", "fast"});
   CHECK(read.code() == 0);
 }
@@ -139,7 +127,7 @@ TEST_CASE("what can't be written or read leaves the file as it was") {
   child bad(cca::robot_main<walking>, {"--config", wrong.path, "--write-parameters", written.path});
   CHECK(bad.code() == 2);
   CHECK(bad.err.find("did you mean `height`?") != std::string::npos);
-  CHECK(text_in(written.path) == "old");
+  CHECK(written.text() == "old");
   child none(cca::robot_main<walking>, {"--write-parameters", "/none/a.toml"});
   CHECK(none.code() == 2);
   child both(cca::robot_main<walking>, {"--list", "--write-parameters", written.path});

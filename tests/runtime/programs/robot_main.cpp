@@ -12,6 +12,7 @@
 
 #include <cca/main.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "../deployment/robot_and_mind.hpp"
 #include "child.hpp"
 
@@ -25,14 +26,7 @@ std::string fresh_name() {
   return "/cca_main_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
 }
 
-struct file {
-  std::string path;
-  explicit file(const std::string& text)
-      : path(std::filesystem::temp_directory_path() / fresh_name().substr(1)) {
-    std::ofstream(path) << text;
-  }
-  ~file() { std::filesystem::remove(path); }
-};
+using file = laws::temporary_file;
 
 // Says what is called, and where it stood at the end.
 template <class Architecture>
@@ -120,11 +114,12 @@ TEST_SUITE("robot_main") {
   }
 
   TEST_CASE_TEMPLATE("parameters from files, the last one counts", Program, one_loop, two_loops) {
-    const file first("[filter]\ngain = 0.2\n[guard]\nmost = 100.0\n"), second("[filter]\ngain = 0.3\n");
+    const file first("first.toml", "[filter]\ngain = 0.2\n[guard]\nmost = 100.0\n"),
+        second("second.toml", "[filter]\ngain = 0.3\n");
     child one = run<Program>({"--seconds", "0.01", "--config", first.path, "--config", second.path});
     CHECK_EQ(one.code(), 42);
     CHECK(one.out.find("gain 0.3") != std::string::npos);
-    const file wrong("[filtr]\ngain = 0.2\n");
+    const file wrong("wrong.toml", "[filtr]\ngain = 0.2\n");
     child bad = run<Program>({"--config", wrong.path});
     CHECK_EQ(bad.code(), 2);
     CHECK_EQ(bad.out, "prepare;");

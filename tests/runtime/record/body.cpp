@@ -129,11 +129,11 @@ void record(const std::string& file, int beats) {
 
 TEST_CASE("/tf has the forward kinematics of the body, at the rate of viewers") {
   const temporary_file file("tf");
-  record<shown>(file.name, 201);
+  record<shown>(file.path, 201);
   int count = 0, descriptions = 0;
   std::string urdf;
   std::vector<unsigned char> last;
-  cca::recording::mcap_reader all(file.name);
+  cca::recording::mcap_reader all(file.path);
   for (cca::recording::mcap_message m; all.next(m);) {
     const std::string& topic = all.channels().at(m.channel).topic;
     if (topic == "/robot_description") ++descriptions, urdf = cdr_reader(m.data).text();
@@ -168,13 +168,13 @@ TEST_CASE("/tf has the forward kinematics of the body, at the rate of viewers") 
   CHECK(has("<joint name=\"rail\" type=\"prismatic\">"));
   CHECK(has("<mass value=\"3\"/>"));
   CHECK(has("<inertia ixx=\"0.01\" iyy=\"0.02\" izz=\"0.03\" ixy=\"0.001\""));
-  CHECK(cca::recording::replay<shown>(file.name));
+  CHECK(cca::recording::replay<shown>(file.path));
 }
 
 TEST_CASE("the ports of the body may be those that inner graphs expose") {
   const temporary_file plain("shown"), within("shown_within");
-  record<shown>(plain.name, 101);
-  record<shown_within>(within.name, 101);
+  record<shown>(plain.path, 101);
+  record<shown_within>(within.path, 101);
   const auto transforms = [](const std::string& file) {
     std::vector<std::vector<unsigned char>> found;
     cca::recording::mcap_reader all(file);
@@ -182,6 +182,6 @@ TEST_CASE("the ports of the body may be those that inner graphs expose") {
       if (all.channels().at(m.channel).topic == "/tf") found.emplace_back(m.data.begin(), m.data.end());
     return found;
   };
-  CHECK(transforms(plain.name).size() == 6);
-  CHECK(transforms(plain.name) == transforms(within.name));
+  CHECK(transforms(plain.path).size() == 6);
+  CHECK(transforms(plain.path) == transforms(within.path));
 }

@@ -63,14 +63,14 @@ TEST_CASE("the recording of a deployment of modes has each switch once, and is r
   const temporary_file file("deployed_modes");
   {
     cca::deployed<split> d;
-    cca::recording::recorder recording(d, file.name, {.waits = true});
+    cca::recording::recorder recording(d, file.path, {.waits = true});
     cca::controller<legs> plain;
     CHECK(drive(d) == drive(plain));
     recording.close();
     CHECK(recording.problem() == "");
     CHECK(recording.lost_beats() == 0);
   }
-  auto [modes, count] = modes_recorded_in(file.name);
+  auto [modes, count] = modes_recorded_in(file.path);
   CHECK(modes == std::vector<switched>{
                      {0, "walk", false}, {201, "stand", true}, {301, "walk", true}, {500, "stand", false}});
   CHECK(count["/gait/angles"] == 200 + 199);
@@ -78,13 +78,13 @@ TEST_CASE("the recording of a deployment of modes has each switch once, and is r
   CHECK(count["/leg/angles"] == 600);
   CHECK(count["/limits/safe"] == 597);
 
-  const auto result = cca::recording::replay<split>(file.name);
+  const auto result = cca::recording::replay<split>(file.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats == 600);
 
   const auto other =
-      cca::recording::replay<split>(file.name, [](auto& c) { c.template get<"stance">().sum = 1e-3; });
+      cca::recording::replay<split>(file.path, [](auto& c) { c.template get<"stance">().sum = 1e-3; });
   CHECK(other.component == "stance");
   CHECK(other.beat == 201);
 }
@@ -105,16 +105,16 @@ TEST_CASE("over processes each records what it runs, and a replay needs only the
     return recording.problem();
   };
   {
-    process mind([&] { return run("mind", of_mind.name); });
-    process robot([&] { return run("robot", of_robot.name); });
+    process mind([&] { return run("mind", of_mind.path); });
+    process robot([&] { return run("robot", of_robot.path); });
     CHECK(robot.said() == "");
     CHECK(mind.said() == "");
   }
-  auto [modes, count] = modes_recorded_in(of_robot.name);
+  auto [modes, count] = modes_recorded_in(of_robot.path);
   CHECK(modes == std::vector<switched>{{0, "walk", false}, {201, "stand", true}, {250, "walk", false}});
   CHECK(count["/leg/angles"] == 400);
   CHECK(count["/gait/angles"] == 0);
-  const auto result = cca::recording::replay<split>(of_robot.name);
+  const auto result = cca::recording::replay<split>(of_robot.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats == 400);
@@ -124,14 +124,14 @@ TEST_CASE("a deployment of modes is traced: each environment tells the switch") 
   const temporary_file file("traced_modes"), recorded("traced_and_recorded_modes");
   cca::deployed<traced> d;
   {
-    cca::tracer trace(d, file.name, {.waits = true});
-    cca::recording::recorder recording(d, recorded.name, {.waits = true});
+    cca::tracer trace(d, file.path, {.waits = true});
+    cca::recording::recorder recording(d, recorded.path, {.waits = true});
     drive(d);
     trace.close();
     CHECK(trace.problem() == "");
     CHECK(trace.lost_beats() == 0);
   }
-  const auto result = cca::recording::replay<traced>(recorded.name);
+  const auto result = cca::recording::replay<traced>(recorded.path);
   INFO(result);
   CHECK(result);
 }

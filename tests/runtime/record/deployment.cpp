@@ -147,14 +147,14 @@ TEST_CASE("a deployment is recorded into one file, in the order of the beats, an
   {
     cca::deployed<split> d;
     cca::deployed<plain> other;
-    cca::recording::recorder recording(d, file.name, {.waits = true});
+    cca::recording::recorder recording(d, file.path, {.waits = true});
     CHECK(run_until_fault(d) == run_until_fault(other));  // the same bits with and without a recording
     REQUIRE(d.state() == cca::state::faulted);
     recording.close();
     CHECK(recording.problem() == "");
     CHECK(recording.lost_beats() == 0);
   }
-  const auto all = messages_in(file.name);
+  const auto all = messages_in(file.path);
   std::int64_t beat = 0;
   for (const auto& m : all)
     if (m.topic != "/cca/fault") {
@@ -172,14 +172,14 @@ TEST_CASE("a deployment is recorded into one file, in the order of the beats, an
   CHECK(count["/cca/skipped"] == 0);
   CHECK(count["/cca/late"] == 0);
 
-  const auto result = cca::recording::replay<split>(file.name);
+  const auto result = cca::recording::replay<split>(file.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats == count["/leg/angles"]);
   CHECK(result.fault == "`counter`: too many steps");
 
   const auto other =
-      cca::recording::replay<split>(file.name, [](auto& c) { c.template get<"thinker">().s[0] = 1e-9; });
+      cca::recording::replay<split>(file.path, [](auto& c) { c.template get<"thinker">().s[0] = 1e-9; });
   CHECK(other.difference.find("`thinker.y`, beat 0: recorded [") == 0);
 }
 
@@ -187,9 +187,9 @@ TEST_CASE("the file says which environments are in it") {
   const temporary_file file("environments");
   {
     cca::deployed<split> d;
-    cca::recording::recorder recording(d, file.name);
+    cca::recording::recorder recording(d, file.path);
   }
-  cca::recording::mcap_reader from(file.name);
+  cca::recording::mcap_reader from(file.path);
   for (cca::recording::mcap_message m; from.next(m);) {}
   bool is_told = false;
   for (const auto& [name, entries] : from.metadata())
@@ -206,7 +206,7 @@ TEST_CASE("in a wall-clock run, late samples and beats that were left out are in
   std::int64_t late = 0, lost = 0;
   {
     cca::deployed<split> d;
-    cca::recording::recorder recording(d, file.name);
+    cca::recording::recorder recording(d, file.path);
     d.load();
     auto slow = d.get<"thinker">().p;
     slow.microseconds = 25'000;  // its samples should come within 9 ms
@@ -220,11 +220,11 @@ TEST_CASE("in a wall-clock run, late samples and beats that were left out are in
     CHECK(recording.lost_beats() == 0);
   }
   REQUIRE(late > 0);
-  auto count = count_of(messages_in(file.name));
+  auto count = count_of(messages_in(file.path));
   CHECK(count["/cca/late"] == late);
   CHECK(count["/cca/skipped"] > 0);
   CHECK(lost > 0);
-  const auto result = cca::recording::replay<split>(file.name);
+  const auto result = cca::recording::replay<split>(file.path);
   INFO(result);
   CHECK_FALSE(result);
   CHECK(result.difference == "");
@@ -237,7 +237,7 @@ TEST_CASE("the recording of a process that runs some environments is not replaye
   const std::string name = "/cca_record_" + std::to_string(::getpid());
   std::thread elsewhere([&] {
     cca::deployed<split> d(cca::only{"mind", "watch"}, cca::shared_memory(name));
-    cca::recording::recorder recording(d, other_file.name, {.waits = true});
+    cca::recording::recorder recording(d, other_file.path, {.waits = true});
     d.load();
     d.start();
     d.run(cca::for_beats<500>{});
@@ -245,21 +245,21 @@ TEST_CASE("the recording of a process that runs some environments is not replaye
   });
   {
     cca::deployed<split> d(cca::only{"robot"}, cca::shared_memory(name));
-    cca::recording::recorder recording(d, file.name, {.waits = true});
+    cca::recording::recorder recording(d, file.path, {.waits = true});
     d.load();
     d.start();
     d.run(cca::for_beats<500>{});
     d.stop();
   }
   elsewhere.join();
-  auto here = count_of(messages_in(file.name)), there = count_of(messages_in(other_file.name));
+  auto here = count_of(messages_in(file.path)), there = count_of(messages_in(other_file.path));
   CHECK(here["/leg/angles"] == 500);
   CHECK(here["/thinker/y"] == 0);
   CHECK(here["/cca/parameters/thinker"] == 0);
   CHECK(there["/leg/angles"] == 0);
   CHECK(there["/thinker/y"] == 50);
   CHECK(there["/cca/parameters/thinker"] == 1);
-  CHECK_THROWS_WITH_AS(cca::recording::replay<split>(other_file.name),
+  CHECK_THROWS_WITH_AS(cca::recording::replay<split>(other_file.path),
                        doctest::Contains("with all environments in one process"), cca::refused);
 }
 
@@ -293,9 +293,9 @@ TEST_CASE("a recorded environment allocates nothing, and does not wait for a ful
 TEST_CASE("a deployment is recorded and traced at once") {
   const temporary_file file("both_deployed"), trace("both_deployed_trace");
   cca::deployed<traced> d;
-  cca::tracer tracer(d, trace.name, {.waits = true});
+  cca::tracer tracer(d, trace.path, {.waits = true});
   {
-    cca::recording::recorder recording(d, file.name, {.waits = true});
+    cca::recording::recorder recording(d, file.path, {.waits = true});
     d.load();
     d.start();
     d.run(cca::for_beats<1000>{});
@@ -307,7 +307,7 @@ TEST_CASE("a deployment is recorded and traced at once") {
   const auto summary = tracer.summary();
   REQUIRE(summary.environments.size() == 3);
   CHECK(summary.environments[0].beats.all.count() == 1500);
-  const auto result = cca::recording::replay<traced>(file.name);
+  const auto result = cca::recording::replay<traced>(file.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats == 1000);
@@ -318,7 +318,7 @@ TEST_CASE("beats of an environment that do not fit are counted and marked") {
   std::int64_t lost = 0;
   {
     cca::deployed<alone> d;
-    cca::recording::recorder recording(d, file.name, {.buffered_seconds = 0});
+    cca::recording::recorder recording(d, file.path, {.buffered_seconds = 0});
     d.load();
     d.start();
     for (int i = 0; i < 10'000 && recording.lost_beats() == 0; ++i)  // at times faster than any file
@@ -328,7 +328,7 @@ TEST_CASE("beats of an environment that do not fit are counted and marked") {
     lost = recording.lost_beats();
   }
   std::int64_t marked = 0, recorded = 0;
-  cca::recording::mcap_reader reader(file.name);
+  cca::recording::mcap_reader reader(file.path);
   for (cca::recording::mcap_message m; reader.next(m);) {
     const std::string& topic = reader.channels().at(m.channel).topic;
     cca::recording::detail::cdr_reader from(m.data);
@@ -351,7 +351,7 @@ TEST_CASE_TEMPLATE("a deployment is replayed wherever its parts are placed",
   for (int i = 0; i < 5; ++i) {  // which of two threads is first differs
     {
       cca::deployed<D> d;
-      cca::recording::recorder recording(d, file.name, {.waits = true});
+      cca::recording::recorder recording(d, file.path, {.waits = true});
       d.template get<"policy">().p.file = "first";
       d.template get<"other">().p.file = "second";
       d.load();
@@ -362,18 +362,18 @@ TEST_CASE_TEMPLATE("a deployment is replayed wherever its parts are placed",
       d.run(cca::for_beats<300>{});
       d.stop();
     }
-    const auto result = cca::recording::replay<D>(file.name);
+    const auto result = cca::recording::replay<D>(file.path);
     INFO(result);
     REQUIRE(result);
     REQUIRE(result.beats == 600);
   }
   // Of another process, whose parameters are not in this file, the reason is not only the hook's.
   const temporary_file other("without");
-  rewrite(file.name, other.name, {.keeps = [](const std::string& topic) {
+  rewrite(file.path, other.path, {.keeps = [](const std::string& topic) {
             return topic != "/cca/parameters/policy" && topic != "/policy/y";
           }});
   CHECK_THROWS_WITH_AS(
-      cca::recording::replay<D>(other.name),
+      cca::recording::replay<D>(other.path),
       doctest::Contains("the state `loaded` is refused: informed: it has no file (no parameters "
                         "are recorded of `policy`)"),
       cca::refused);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include <unistd.h>
-
 #include <cca/cca.hpp>
 #include <cca/record.hpp>
+
+#include "../../laws/temporary_file.hpp"
 
 namespace record_test {
 
@@ -76,14 +76,9 @@ struct walking : cca::graph<cca::rate<1000>,
                             cca::observe<"counter.steps">>,
                  cca::recordable {};
 
-// A file that is removed at the end.
-struct temporary_file {
-  std::string name;
-  explicit temporary_file(const std::string& what)
-      : name("/tmp/cca_record_" + what + "_" + std::to_string(::getpid()) + ".mcap") {}
-  temporary_file(const temporary_file&) = delete;
-  temporary_file& operator=(const temporary_file&) = delete;
-  ~temporary_file() { ::unlink(name.c_str()); }
+// A recording that is removed at the end.
+struct temporary_file : laws::temporary_file {
+  explicit temporary_file(const std::string& what) : laws::temporary_file(what + ".mcap") {}
 };
 
 }  // namespace record_test

@@ -55,14 +55,14 @@ TEST_CASE("the recording of a set of modes has the active mode, its switches, an
   const temporary_file file("modes");
   {
     cca::controller<legs> c;
-    cca::recording::recorder recording(c, file.name, {.waits = true});
+    cca::recording::recorder recording(c, file.path, {.waits = true});
     cca::controller<plain_legs> plain;
     CHECK(drive(c) == drive(plain));  // the same bits with and without a recording
     recording.close();
     CHECK(recording.problem() == "");
     CHECK(recording.lost_beats() == 0);
   }
-  auto [modes, count] = modes_recorded_in(file.name);
+  auto [modes, count] = modes_recorded_in(file.path);
   CHECK(modes == std::vector<switched>{
                      {0, "walk", false}, {201, "stand", true}, {301, "walk", true}, {500, "stand", false}});
   CHECK(count["/gait/angles"] == 201 + 199);
@@ -78,23 +78,23 @@ TEST_CASE("the recording of a set of modes is replayed bit for bit, or the first
   const temporary_file file("replayed_modes");
   {
     cca::controller<legs> c;
-    cca::recording::recorder recording(c, file.name, {.waits = true});
+    cca::recording::recorder recording(c, file.path, {.waits = true});
     drive(c);
   }
-  const auto result = cca::recording::replay<legs>(file.name);
+  const auto result = cca::recording::replay<legs>(file.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats == 600);
   CHECK(result.samples == 600 + 400 + 2 * 200);
 
   const auto other =
-      cca::recording::replay<legs>(file.name, [](auto& c) { c.template get<"stance">().sum = 1e-3; });
+      cca::recording::replay<legs>(file.path, [](auto& c) { c.template get<"stance">().sum = 1e-3; });
   CHECK(other.component == "stance");
   CHECK(other.port == "height");
   CHECK(other.beat == 201);
 
   const auto longer =
-      cca::recording::replay<legs>(file.name, [](auto& c) { c.template get<"stance">().stands_until = 310; });
+      cca::recording::replay<legs>(file.path, [](auto& c) { c.template get<"stance">().stands_until = 310; });
   CHECK(longer.difference == "beat 301: recorded the mode `walk`, replayed `stand`");
   CHECK(longer.beat == 301);
 }
@@ -104,9 +104,9 @@ TEST_CASE("the recording of another set of modes is refused") {
   const temporary_file file("other_modes");
   {
     cca::controller<other_legs> c;
-    cca::recording::recorder recording(c, file.name);
+    cca::recording::recorder recording(c, file.path);
   }
-  CHECK_THROWS_WITH_AS(cca::recording::replay<legs>(file.name), doctest::Contains("another architecture"),
+  CHECK_THROWS_WITH_AS(cca::recording::replay<legs>(file.path), doctest::Contains("another architecture"),
                        cca::refused);
 }
 
@@ -114,12 +114,12 @@ TEST_CASE("a set of modes is recorded and traced at once, or one after the other
   const temporary_file file("both"), trace("both_trace");
   cca::controller<traced_legs> c;
   cca::controller<plain_legs> plain;
-  cca::tracer tracer(c, trace.name);
+  cca::tracer tracer(c, trace.path);
   {
-    cca::recording::recorder recording(c, file.name, {.waits = true});
+    cca::recording::recorder recording(c, file.path, {.waits = true});
     CHECK(drive(c) == drive(plain));
   }
   tracer.close();
   CHECK(tracer.summary().environments.at(0).beats.all.count() == 600);
-  CHECK(cca::recording::replay<traced_legs>(file.name));
+  CHECK(cca::recording::replay<traced_legs>(file.path));
 }

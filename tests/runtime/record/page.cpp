@@ -68,63 +68,63 @@ const std::string empty_page = "<html><body>before <!-- the recording --> behind
 
 TEST_CASE("every byte of a recording is in the page") {
   const temporary_file page("page"), recording("in_page"), empty("empty_page");
-  put(empty.name, empty_page);
+  put(empty.path, empty_page);
   std::mt19937 dice(17);
   for (const std::size_t size : {0U, 1U, 2U, 3U, 4U, 49'151U, 49'152U, 49'153U, 200'000U}) {
     std::string bytes;
     for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(dice() & 255U);
-    put(recording.name, bytes);
-    cca::recording::write_page(page.name, recording.name, empty.name);
-    const std::string html = bytes_in(page.name);
+    put(recording.path, bytes);
+    cca::recording::write_page(page.path, recording.path, empty.path);
+    const std::string html = bytes_in(page.path);
     CHECK(recording_in(html) == bytes);
     CHECK(html.starts_with("<html><body>before <script"));
     CHECK(html.ends_with("</script> behind</body></html>"));
-    CHECK_FALSE(std::filesystem::exists(page.name + ".part"));
+    CHECK_FALSE(std::filesystem::exists(page.path + ".part"));
   }
 }
 
 TEST_CASE("a name can't end the text around it") {
   const temporary_file recording("named"), empty("empty_named");
   const temporary_file page("a\"b<c>&d");
-  put(empty.name, empty_page);
-  put(recording.name, "abc");
-  cca::recording::write_page(page.name, recording.name, empty.name);
-  CHECK(bytes_in(page.name).find("a&quot;b&lt;c>&amp;d") != std::string::npos);
+  put(empty.path, empty_page);
+  put(recording.path, "abc");
+  cca::recording::write_page(page.path, recording.path, empty.path);
+  CHECK(bytes_in(page.path).find("a&quot;b&lt;c>&amp;d") != std::string::npos);
 }
 
 TEST_CASE("what can't become a page is refused in words") {
   const temporary_file page("refused_page"), recording("refused_recording"), empty("refused_empty");
-  put(recording.name, "abc");
+  put(recording.path, "abc");
   CHECK_THROWS_WITH_AS(
       cca::recording::existing_page("/nowhere/recording.html"),
       "there is no page to put a recording into: /nowhere/recording.html. It is the file page/recording.html "
       "of cca: link the target cca::record, or define CCA_RECORDING_PAGE as its path in quotation marks",
       cca::refused);
   CHECK_THROWS_AS(cca::recording::existing_page("/tmp"), cca::refused);  // a folder
-  put(empty.name, "<html></html>");
-  CHECK_THROWS_WITH_AS(cca::recording::write_page(page.name, recording.name, empty.name),
+  put(empty.path, "<html></html>");
+  CHECK_THROWS_WITH_AS(cca::recording::write_page(page.path, recording.path, empty.path),
                        doctest::Contains("this is no page for recordings"), cca::refused);
-  put(empty.name, empty_page);
-  CHECK_THROWS_AS(cca::recording::write_page(page.name, "/nowhere/a.mcap", empty.name), std::system_error);
-  CHECK_THROWS_AS(cca::recording::write_page("/nowhere/a.html", recording.name, empty.name),
+  put(empty.path, empty_page);
+  CHECK_THROWS_AS(cca::recording::write_page(page.path, "/nowhere/a.mcap", empty.path), std::system_error);
+  CHECK_THROWS_AS(cca::recording::write_page("/nowhere/a.html", recording.path, empty.path),
                   std::system_error);
-  CHECK_THROWS_AS(cca::recording::write_page("/dev/full/a.html", recording.name, empty.name),
+  CHECK_THROWS_AS(cca::recording::write_page("/dev/full/a.html", recording.path, empty.path),
                   std::system_error);
-  CHECK_FALSE(std::filesystem::exists(page.name));
+  CHECK_FALSE(std::filesystem::exists(page.path));
 }
 
 TEST_CASE("a program writes the page of its run") {
   const temporary_file page("of_run"), recording("of_run_too");
-  program alone(page.name);
+  program alone(page.path);
   REQUIRE(cca::run_robot(alone, "walk") == 0);
-  CHECK(recording_in(bytes_in(page.name)).starts_with("\x89MCAP"));
-  program both(page.name, recording.name);
+  CHECK(recording_in(bytes_in(page.path)).starts_with("\x89MCAP"));
+  program both(page.path, recording.path);
   REQUIRE(cca::run_robot(both, "walk") == 0);
-  CHECK(recording_in(bytes_in(page.name)) == bytes_in(recording.name));
-  program twice(page.name, page.name);
+  CHECK(recording_in(bytes_in(page.path)) == bytes_in(recording.path));
+  program twice(page.path, page.path);
   CHECK_THROWS_WITH_AS(cca::run_robot(twice, "walk"),
                        doctest::Contains(" name one file: give each option its own"), cca::refused);
-  program nowhere("/nowhere/a.html", recording.name);
+  program nowhere("/nowhere/a.html", recording.path);
   CHECK(cca::run_robot(nowhere, "walk") == cca::exit_code::error);
-  CHECK_FALSE(std::filesystem::exists(page.name + ".mcap"));
+  CHECK_FALSE(std::filesystem::exists(page.path + ".mcap"));
 }

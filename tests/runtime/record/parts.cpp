@@ -77,11 +77,11 @@ void check_replay(const char* name) {
   {
     Controller c;
     c.load();
-    cca::recording::recorder recording(c, file.name, {.waits = true});
+    cca::recording::recorder recording(c, file.path, {.waits = true});
     c.start();
     drive(c);
   }
-  const auto result = cca::recording::replay<Whole>(file.name);
+  const auto result = cca::recording::replay<Whole>(file.path);
   CAPTURE(result.difference);
   CAPTURE(result.ended_early);
   CHECK(result);
@@ -102,10 +102,10 @@ TEST_SUITE("recorded parts") {
       c.load();
       c.start();
       c.stop<"swing">();
-      cca::recording::recorder recording(c, file.name, {.waits = true});
+      cca::recording::recorder recording(c, file.path, {.waits = true});
       drive(c);
     }
-    const auto result = cca::recording::replay<walk>(file.name);
+    const auto result = cca::recording::replay<walk>(file.path);
     CAPTURE(result.difference);
     CHECK(result);
   }

@@ -84,9 +84,9 @@ template <class Played, class Graph>
 void check(const std::string& expected_fault) {
   const temporary_file file("queues");
   std::string fault;
-  const std::string beats = recorded<Played>(file.name, fault);
+  const std::string beats = recorded<Played>(file.path, fault);
   CHECK(fault == expected_fault);
-  const auto result = cca::recording::replay<Graph>(file.name);
+  const auto result = cca::recording::replay<Graph>(file.path);
   INFO(result);
   CHECK(result);
   CHECK(std::to_string(result.beats) == beats);

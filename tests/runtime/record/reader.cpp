@@ -57,23 +57,23 @@ void put_bytes(const std::string& name, const std::vector<char>& bytes, std::siz
 
 TEST_CASE("a million messages") {
   const temporary_file file("million");
-  write(file.name, 1'000'000);
+  write(file.path, 1'000'000);
   std::string damage;
-  CHECK(read(file.name, &damage) == 1'000'000);
+  CHECK(read(file.path, &damage) == 1'000'000);
   CHECK(damage == "");
 }
 
 TEST_CASE("a file that is cut anywhere is read up to its last whole chunk") {
   const temporary_file file("anywhere");
-  write(file.name, 2000, 1000);
-  const auto all = bytes_in(file.name);
+  write(file.path, 2000, 1000);
+  const auto all = bytes_in(file.path);
   std::mt19937 random(1);
   std::int64_t most = 0;
   for (int i = 0; i < 300; ++i) {
     const std::size_t size = 8 + random() % (all.size() - 8);
-    put_bytes(file.name, all, size);
+    put_bytes(file.path, all, size);
     std::string damage;
-    const auto count = read(file.name, &damage);
+    const auto count = read(file.path, &damage);
     most = std::max(most, count);
     if (count < 2000) CHECK(damage != "");
   }
@@ -82,22 +82,22 @@ TEST_CASE("a file that is cut anywhere is read up to its last whole chunk") {
 
 TEST_CASE("without the end, every whole chunk is there") {
   const temporary_file file("no_end");
-  write(file.name, 2000, 1000, false);
-  std::filesystem::rename(file.name + ".part", file.name);
-  CHECK(read(file.name) > 1900);
+  write(file.path, 2000, 1000, false);
+  std::filesystem::rename(file.path + ".part", file.path);
+  CHECK(read(file.path) > 1900);
 }
 
 TEST_CASE("damaged bytes are never taken for messages, and never crash the reader") {
   const temporary_file file("damaged");
-  write(file.name, 2000, 1000);
-  const auto all = bytes_in(file.name);
+  write(file.path, 2000, 1000);
+  const auto all = bytes_in(file.path);
   std::mt19937 random(2);
   for (int i = 0; i < 2000; ++i) {
     auto bytes = all;
     for (unsigned n = 1 + random() % 4; n > 0; --n)
       bytes[8 + random() % (bytes.size() - 8)] ^= char(1 + random() % 255);
-    put_bytes(file.name, bytes, bytes.size());
-    cca::recording::mcap_reader reader(file.name);
+    put_bytes(file.path, bytes, bytes.size());
+    cca::recording::mcap_reader reader(file.path);
     for (cca::recording::mcap_message m; reader.next(m);) {
       std::int64_t k = -1;
       REQUIRE(m.data.size() == 20);
@@ -112,8 +112,8 @@ TEST_CASE("damaged bytes are never taken for messages, and never crash the reade
     std::vector<char> bytes(8 + random() % 500);
     for (char& b : bytes) b = static_cast<char>(random());
     std::memcpy(bytes.data(), cca::recording::detail::magic.data(), 8);
-    put_bytes(file.name, bytes, bytes.size());
-    cca::recording::mcap_reader reader(file.name);
+    put_bytes(file.path, bytes, bytes.size());
+    cca::recording::mcap_reader reader(file.path);
     for (cca::recording::mcap_message m; reader.next(m);) {}
     CHECK(reader.damage() != "");
   }

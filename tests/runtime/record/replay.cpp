@@ -38,8 +38,8 @@ void record(const std::string& file, cca::recording::settings s = {.waits = true
 
 TEST_CASE("a replay gives every sample and the fault bit for bit") {
   const temporary_file file("replay");
-  record(file.name);
-  const auto result = cca::recording::replay<graph>(file.name);
+  record(file.path);
+  const auto result = cca::recording::replay<graph>(file.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats > 3000);
@@ -49,9 +49,9 @@ TEST_CASE("a replay gives every sample and the fault bit for bit") {
 
 TEST_CASE("a replay says where the first difference is") {
   const temporary_file file("difference");
-  record(file.name);
+  record(file.path);
   const auto result =
-      cca::recording::replay<graph>(file.name, [](auto& c) { c.template get<"filter">().s[0] = 1e-9; });
+      cca::recording::replay<graph>(file.path, [](auto& c) { c.template get<"filter">().s[0] = 1e-9; });
   CHECK_FALSE(result);
   CHECK(result.component == "filter");
   CHECK(result.port == "y");
@@ -61,9 +61,9 @@ TEST_CASE("a replay says where the first difference is") {
 
 TEST_CASE("a recording that was cut off is replayed as far as it goes") {
   const temporary_file file("cut");
-  record(file.name, {.waits = true, .chunk_bytes = 1 << 14});
-  std::filesystem::resize_file(file.name, std::filesystem::file_size(file.name) / 2);
-  const auto result = cca::recording::replay<graph>(file.name);
+  record(file.path, {.waits = true, .chunk_bytes = 1 << 14});
+  std::filesystem::resize_file(file.path, std::filesystem::file_size(file.path) / 2);
+  const auto result = cca::recording::replay<graph>(file.path);
   CHECK(result.difference == "");
   CHECK(result.beats > 1000);
   CHECK(result.ended_early.find("the recording is cut off") == 0);
@@ -71,21 +71,21 @@ TEST_CASE("a recording that was cut off is replayed as far as it goes") {
 
 TEST_CASE("what can't be replayed is refused") {
   const temporary_file file("refused");
-  record(file.name, {.scopes = {"limits"}, .waits = true});
-  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(file.name),
+  record(file.path, {.scopes = {"limits"}, .waits = true});
+  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(file.path),
                        doctest::Contains("what `leg.angles` sensed was not recorded"), cca::refused);
   {
     controller c;
     c.load();
     c.start();
     c.run(cca::for_beats<5>{});
-    cca::recording::recorder late(c, file.name);
+    cca::recording::recorder late(c, file.path);
     c.run(cca::for_beats<5>{});
   }
-  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(file.name),
+  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(file.path),
                        doctest::Contains("does not begin before the first beat"), cca::refused);
   controller c;
-  CHECK_THROWS_WITH_AS(cca::recording::recorder(c, file.name, {.scopes = {"lims"}}),
+  CHECK_THROWS_WITH_AS(cca::recording::recorder(c, file.path, {.scopes = {"lims"}}),
                        doctest::Contains("no port under `lims`"), cca::refused);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a recorded beat allocates nothing") {
 TEST_CASE("a copy of a controller is not recorded") {
   const temporary_file file("copy");
   controller c;
-  cca::recording::recorder recording(c, file.name);
+  cca::recording::recorder recording(c, file.path);
   CHECK(c.recorded_into() != nullptr);
   const controller copy = c;
   CHECK(copy.recorded_into() == nullptr);
@@ -121,7 +121,7 @@ TEST_CASE("a copy of a controller is not recorded") {
 TEST_CASE("the recording of a controller ends when another one is assigned to it") {
   const temporary_file file("assigned");
   controller c;
-  cca::recording::recorder recording(c, file.name);
+  cca::recording::recorder recording(c, file.path);
   c.load();
   c.start();
   c.run(cca::for_beats<10>{});
@@ -135,7 +135,7 @@ TEST_CASE("the recording of a controller ends when another one is assigned to it
   c.run(cca::for_beats<5>{});
   recording.close();
   CHECK(recording.problem() == "");
-  const auto result = cca::recording::replay<graph>(file.name);
+  const auto result = cca::recording::replay<graph>(file.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats == 10);
@@ -146,7 +146,7 @@ TEST_CASE("beats that do not fit are counted and marked") {
   std::int64_t lost = 0;
   {
     controller c;
-    cca::recording::recorder recording(c, file.name, {.buffered_seconds = 0});
+    cca::recording::recorder recording(c, file.path, {.buffered_seconds = 0});
     c.load();
     c.start();
     // Much faster than any file, but for a loop that a sanitizer slows.
@@ -156,7 +156,7 @@ TEST_CASE("beats that do not fit are counted and marked") {
     lost = recording.lost_beats();
   }
   std::int64_t marked = 0, recorded = 0;
-  cca::recording::mcap_reader reader(file.name);
+  cca::recording::mcap_reader reader(file.path);
   for (cca::recording::mcap_message m; reader.next(m);) {
     const std::string& topic = reader.channels().at(m.channel).topic;
     cca::recording::detail::cdr_reader from(m.data);

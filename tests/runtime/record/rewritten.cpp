@@ -34,7 +34,7 @@ struct recorded {
   temporary_file file{"original"}, other{"rewritten"};
   explicit recorded(int beats = 2000) {
     cca::controller<graph> c;
-    cca::recording::recorder recording(c, file.name, {.waits = true});
+    cca::recording::recorder recording(c, file.path, {.waits = true});
     c.load();
     c.start();
     c.run(cca::for_beats<500>{});
@@ -43,14 +43,14 @@ struct recorded {
     c.stop();
   }
   cca::recording::replay_result replayed(const rewriting& how) const {
-    rewrite(file.name, other.name, how);
-    return cca::recording::replay<graph>(other.name);
+    rewrite(file.path, other.path, how);
+    return cca::recording::replay<graph>(other.path);
   }
   std::string refusal(const rewriting& how) const {
     try {
       const auto result = replayed(how);
       return "not refused: " + result.difference + result.ended_early;
-    } catch (const cca::refused& e) { return std::string(e.what()).substr(other.name.size()); }
+    } catch (const cca::refused& e) { return std::string(e.what()).substr(other.path.size()); }
   }
 };
 
@@ -81,7 +81,7 @@ bytes from_hex(std::string_view hex) {
 
 TEST_CASE("a recording is replayed however its messages are stored") {
   const recorded r;
-  const auto original = cca::recording::replay<graph>(r.file.name);
+  const auto original = cca::recording::replay<graph>(r.file.path);
   REQUIRE(original);
   for (const std::string compression : {"none", "lz4", ""})
     for (const bool lazy : {false, true}) {
@@ -170,8 +170,8 @@ TEST_CASE("a file that can't be replayed is refused for its true reason") {
   CHECK(seventh_becomes(6) ==
         ": a sample of `swing.angles` of beat 6 is there twice: are two recordings merged in this file?");
   // Before the first whole chunk.
-  std::filesystem::resize_file(r.file.name, 3000);
-  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(r.file.name),
+  std::filesystem::resize_file(r.file.path, 3000);
+  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(r.file.path),
                        doctest::Contains(" can't be read: the file ends within a record, before byte "),
                        cca::refused);
 }
@@ -225,21 +225,21 @@ TEST_CASE("of beats of which nothing is recorded, only so many are replayed") {
   const temporary_file file("quiet"), other("quiet_later");
   {
     cca::controller<quiet> c;
-    cca::recording::recorder recording(c, file.name, {.waits = true});
+    cca::recording::recorder recording(c, file.path, {.waits = true});
     c.load();
     c.start();
     c.run(cca::for_beats<1000>{});
     c.stop();
   }
-  const auto result = cca::recording::replay<quiet>(file.name);
+  const auto result = cca::recording::replay<quiet>(file.path);
   CHECK(result);
   CHECK(result.beats == 1000);
-  rewrite(file.name, other.name, {.change = [](const std::string& topic, bytes& data) {
+  rewrite(file.path, other.path, {.change = [](const std::string& topic, bytes& data) {
             const std::int64_t beat = 1'000'000'000'000;
             if (topic == "/cca/state" && beat_in(data) == 1000) std::memcpy(&data[4], &beat, sizeof beat);
             return true;
           }});
-  const auto later = cca::recording::detail::replay_run<quiet>(other.name, 5000).go();
+  const auto later = cca::recording::detail::replay_run<quiet>(other.path, 5000).go();
   CHECK_FALSE(later);
   CHECK(later.beats == 5000);
   CHECK(later.ended_early == "nothing is recorded of more than 5000 beats, before beat 1000000000000");
@@ -249,12 +249,12 @@ TEST_CASE("a recording without a beat is no success") {
   const temporary_file file("none");
   {
     cca::controller<graph> c;
-    cca::recording::recorder recording(c, file.name);
+    cca::recording::recorder recording(c, file.path);
     c.load();
     c.start();
     c.stop();
   }
-  const auto result = cca::recording::replay<graph>(file.name);
+  const auto result = cca::recording::replay<graph>(file.path);
   CHECK_FALSE(result);
   std::ostringstream text;
   text << result;
@@ -266,11 +266,11 @@ TEST_CASE("a length in a file is compared before memory is taken for it") {
   const auto damage_of = [&](mcap::op code, std::uint64_t length, std::uint64_t size) {
     mcap::byte_writer start;
     start.add(mcap::byte_view(mcap::magic)).add(static_cast<std::uint8_t>(code)).add(length);
-    std::ofstream(file.name, std::ios::binary)
+    std::ofstream(file.path, std::ios::binary)
         .write(reinterpret_cast<const char*>(start.view().data()),
                static_cast<std::streamsize>(start.size()));
-    std::filesystem::resize_file(file.name, size);  // a hole, which takes no room on the disk
-    cca::recording::mcap_reader reader(file.name);
+    std::filesystem::resize_file(file.path, size);  // a hole, which takes no room on the disk
+    cca::recording::mcap_reader reader(file.path);
     for (cca::recording::mcap_message m; reader.next(m);) {}
     return reader.damage();
   };

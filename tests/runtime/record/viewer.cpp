@@ -116,17 +116,17 @@ TEST_CASE("views are written at their own rate, and a replay does not mind them"
       cca::recording::settings s;
       s.viewer_hz = hz;
       s.waits = true;
-      cca::recording::recorder recording(c, file.name, s);
+      cca::recording::recorder recording(c, file.path, s);
       c.load();
       c.start();
       c.run(cca::for_beats<500>{});
       c.stop();
     }
     std::map<std::string, int> count;
-    cca::recording::mcap_reader all(file.name);
+    cca::recording::mcap_reader all(file.path);
     for (cca::recording::mcap_message m; all.next(m);) ++count[all.channels().at(m.channel).topic];
     CHECK(count["/leg/angles"] == 500);
     CHECK(count["/ros2/leg/angles"] == (hz > 0 ? 25 : 0));
-    CHECK(cca::recording::replay<walking<>>(file.name));
+    CHECK(cca::recording::replay<walking<>>(file.path));
   }
 }

@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("each firing is there once, by its path, in its beat",
                    traced_and_recorded) {
   const temporary_file file;
   cca::controller<Graph> c;
-  cca::tracer trace(c, file.name, {.waits = true});
+  cca::tracer trace(c, file.path, {.waits = true});
   begin(c);
   c.run(cca::for_beats<500>{});
   c.step();
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("each firing is there once, by its path, in its beat",
   CHECK(trace.problem() == "");
   CHECK(trace.lost_beats() == 0);
 
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   const auto beats = beats_of(all, 1);
   REQUIRE(beats.size() == 501);
   for (std::size_t k = 0; k < beats.size(); ++k) {
@@ -78,7 +78,7 @@ TEST_CASE_TEMPLATE("each firing is there once, by its path, in its beat",
 TEST_CASE("a summary counts what the controller counts") {
   const temporary_file file;
   cca::controller<traced> c;
-  cca::tracer trace(c, file.name, {.name = "walk", .waits = true});
+  cca::tracer trace(c, file.path, {.name = "walk", .waits = true});
   begin(c);
   c.run(cca::for_beats<300>{});
   trace.close();
@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("a traced controller computes the same numbers", Graph, trace
   begin(plain);
   c.run(cca::for_beats<50>{});  // not yet
   {
-    cca::tracer trace(c, file.name, {.waits = true});
+    cca::tracer trace(c, file.path, {.waits = true});
     c.run(cca::for_beats<150>{});
   }
   c.run(cca::for_beats<100>{});  // no more
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("a traced controller computes the same numbers", Graph, trace
   CHECK(c.template get<"plant">().at == plain.get<"plant">().at);
   CHECK(c.template get<"mean">().sum == plain.get<"mean">().sum);
   CHECK(counted_in(c) == counted_in(plain));
-  const auto beats = beats_of(events_of(file.name), 1);
+  const auto beats = beats_of(events_of(file.path), 1);
   REQUIRE(beats.size() == 150);
   CHECK(beats.front().number == 50);
 }
@@ -130,11 +130,11 @@ TEST_CASE("recorded and traced, each begins and ends on its own") {
   const temporary_file file, recording_file, other_file;
   {
     cca::controller<traced_and_recorded> c;
-    cca::recording::recorder recording(c, recording_file.name, {.waits = true});
+    cca::recording::recorder recording(c, recording_file.path, {.waits = true});
     begin(c);
     c.run(cca::for_beats<100>{});
     {
-      cca::tracer trace(c, file.name, {.waits = true});
+      cca::tracer trace(c, file.path, {.waits = true});
       c.run(cca::for_beats<100>{});
       recording.close();
       c.run(cca::for_beats<100>{});
@@ -142,11 +142,11 @@ TEST_CASE("recorded and traced, each begins and ends on its own") {
     c.run(cca::for_beats<100>{});
     CHECK(c.traced_into() == nullptr);
   }
-  const auto result = cca::recording::replay<traced_and_recorded>(recording_file.name);
+  const auto result = cca::recording::replay<traced_and_recorded>(recording_file.path);
   INFO(result);
   CHECK(result);
   CHECK(result.beats == 200);
-  const auto beats = beats_of(events_of(file.name), 1);
+  const auto beats = beats_of(events_of(file.path), 1);
   REQUIRE(beats.size() == 200);
   CHECK(beats.front().number == 100);
 }
@@ -154,14 +154,14 @@ TEST_CASE("recorded and traced, each begins and ends on its own") {
 TEST_CASE("the life-cycle and a fault are marks") {
   const temporary_file file;
   cca::controller<traced> c;
-  cca::tracer trace(c, file.name, {.waits = true});
+  cca::tracer trace(c, file.path, {.waits = true});
   begin(c);
   c.get<"seldom">().fault_at = 20;
   CHECK(c.run(cca::for_beats<100>{}) == cca::state::faulted);
   c.resume();
   c.stop();
   trace.close();
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   std::vector<std::string> marks;
   for (const event& e : all)
     if (e.phase == 'i') marks.push_back(e.name);
@@ -181,7 +181,7 @@ TEST_CASE("an overrun is a mark after its beat") {
   const temporary_file file;
   std::int64_t time = 0;
   cca::controller<traced> c;
-  cca::tracer trace(c, file.name, {.waits = true});
+  cca::tracer trace(c, file.path, {.waits = true});
   begin(c);
   c.run(cca::for_beats<10>{}, cca::clocked_pace<slow_clock>(1, {&time}), [&](auto& running) {
     if (running.beat_index() == 4) time += 3'500'000;  // beat 3 took so long
@@ -191,7 +191,7 @@ TEST_CASE("an overrun is a mark after its beat") {
   CHECK(c.lost_periods() == 4);
   trace.close();
   CHECK(trace.summary().environments[0].overruns == 2);
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   CHECK(count_of(all, "overrun") == 2);
   const auto beats = beats_of(all, 1);
   std::vector<std::int64_t> periods, behind;
@@ -208,12 +208,12 @@ TEST_CASE("an overrun is a mark after its beat") {
 TEST_CASE("beats that do not fit are counted and marked, and the others are whole") {
   const temporary_file file;
   cca::controller<traced> c;
-  cca::tracer trace(c, file.name, {.buffered_events = 1});
+  cca::tracer trace(c, file.path, {.buffered_events = 1});
   begin(c);
   for (int i = 0; i < 20; ++i) c.run(cca::for_beats<20'000>{});  // much faster than any file
   trace.close();
   CHECK(trace.problem() == "");
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   const auto beats = beats_of(all, 1);
   std::int64_t marked = 0;
   for (const event& e : all)
@@ -241,8 +241,8 @@ TEST_CASE("a traced beat allocates nothing, nor does a mark") {
 TEST_CASE("a copy is not traced, a controller is traced once, and may end first") {
   const temporary_file file, other;
   auto c = std::make_unique<cca::controller<traced>>();
-  cca::tracer trace(*c, file.name, {.waits = true});
-  CHECK_THROWS_WITH_AS(cca::tracer(*c, other.name), doctest::Contains("is being traced already"),
+  cca::tracer trace(*c, file.path, {.waits = true});
+  CHECK_THROWS_WITH_AS(cca::tracer(*c, other.path), doctest::Contains("is being traced already"),
                        cca::refused);
   cca::controller<traced> copy = *c;
   CHECK(copy.traced_into() == nullptr);
@@ -254,7 +254,7 @@ TEST_CASE("a copy is not traced, a controller is traced once, and may end first"
   c->run(cca::for_beats<3>{});
   c.reset();
   trace.close();
-  const auto beats = beats_of(events_of(file.name), 1);
+  const auto beats = beats_of(events_of(file.path), 1);
   REQUIRE(beats.size() == 8);
   CHECK(beats[5].number == 7);
 }

@@ -38,14 +38,14 @@ TEST_CASE("a deployment has a track for each environment") {
   const temporary_file file;
   cca::deployed<split> d;
   cca::controller<deployment_test::architecture> plain;
-  cca::tracer trace(d, file.name, {.waits = true});
+  cca::tracer trace(d, file.path, {.waits = true});
   d.load(), plain.load();
   d.start(), plain.start();
   d.run(cca::for_beats<200>{});
   plain.run(cca::for_beats<200>{});
   trace.close();
   CHECK(d.get<"device">().command == plain.get<"device">().command);
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   const int robot = track_named(all, "robot"), mind = track_named(all, "mind");
   REQUIRE(robot > 0);
   REQUIRE(mind > 0);
@@ -70,7 +70,7 @@ TEST_CASE("a deployment has a track for each environment") {
 TEST_CASE("late samples and overruns are marks, as many as are counted") {
   const temporary_file file;
   cca::deployed<patient> d;
-  cca::tracer trace(d, file.name);
+  cca::tracer trace(d, file.path);
   d.load();
   d.start();
   deployment_test::stall_in_ms = 30;
@@ -79,7 +79,7 @@ TEST_CASE("late samples and overruns are marks, as many as are counted") {
   trace.close();
   CHECK(d.late() > 0);
   CHECK(d.overruns() > 0);
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   CHECK(count_of(all, "late sample") == d.late());
   CHECK(count_of(all, "overrun") == d.overruns());
   for (const auto& figures : d.figures()) {
@@ -102,13 +102,13 @@ TEST_CASE("late samples and overruns are marks, as many as are counted") {
 TEST_CASE("a fault of a deployment is a mark of its environment") {
   const temporary_file file;
   cca::deployed<split> d;
-  cca::tracer trace(d, file.name, {.waits = true});
+  cca::tracer trace(d, file.path, {.waits = true});
   d.load();
   d.set<"guard">({-1.0});
   d.start();
   CHECK(d.run(cca::for_beats<100>{}) == cca::state::faulted);
   trace.close();
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   CHECK(count_of(all, "faulted") == 1);
   bool is_there = false;
   for (const event& e : all)
@@ -120,14 +120,14 @@ TEST_CASE("a fault of a deployment is a mark of its environment") {
 TEST_CASE("components of modes have the same name in each mode") {
   const temporary_file file;
   cca::controller<legs> c;
-  cca::tracer trace(c, file.name, {.waits = true});
+  cca::tracer trace(c, file.path, {.waits = true});
   c.load();
   c.start();
   c.run(cca::for_beats<20>{});
   c.switch_to<"stand">();
   c.run(cca::for_beats<30>{});
   trace.close();
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   const auto beats = beats_of(all, 1);
   REQUIRE(beats.size() == 50);
   CHECK(beats[19].fired ==

@@ -32,21 +32,21 @@ child run(std::vector<std::string> words) { return child(cca::robot_main<walking
 
 TEST_CASE("--trace writes a file and prints a summary") {
   const temporary_file file;
-  child one = run({"--seconds", "0.2", "--trace", file.name});
+  child one = run({"--seconds", "0.2", "--trace", file.path});
   CHECK(one.code() == 0);
   CHECK(one.out.find("walk ") != std::string::npos);
   CHECK(one.out.find("  pair.first") != std::string::npos);
   CHECK(one.out.find("0 overruns, 0 late") != std::string::npos);
-  const auto all = events_of(file.name);
+  const auto all = events_of(file.path);
   CHECK(beats_of(all, track_named(all, "walk")).size() == 200);
 }
 
 TEST_CASE("--trace and --quiet print nothing") {
   const temporary_file file;
-  child one = run({"--seconds", "0.2", "--quiet", "--trace", file.name});
+  child one = run({"--seconds", "0.2", "--quiet", "--trace", file.path});
   CHECK(one.code() == 0);
   CHECK(one.out == "");
-  CHECK(beats_of(events_of(file.name), 1).size() == 200);
+  CHECK(beats_of(events_of(file.path), 1).size() == 200);
 }
 
 TEST_CASE("--trace is offered where the graph is traceable") {
@@ -73,22 +73,22 @@ TEST_CASE("a trace that can't be written is told") {
 
 TEST_CASE("a signal ends a trace in order") {
   const temporary_file file;
-  child one = run({"--pace", "wall-clock", "--trace", file.name});
+  child one = run({"--pace", "wall-clock", "--trace", file.path});
   one.wait_for("2000 beats");
   one.send(SIGTERM);
   CHECK(one.code() == 128 + SIGTERM);
-  CHECK(beats_of(events_of(file.name), 1).size() >= 2000);
+  CHECK(beats_of(events_of(file.path), 1).size() >= 2000);
 }
 
 TEST_CASE("the trace of a killed process can be read") {
   const temporary_file file;
-  child one = run({"--pace", "wall-clock", "--trace", file.name});
+  child one = run({"--pace", "wall-clock", "--trace", file.path});
   one.wait_for("2000 beats");
   one.send(SIGKILL);
   CHECK(one.code() == 128 + SIGKILL);
-  CHECK_FALSE(std::filesystem::exists(file.name));
-  const std::string text = text_of(file.name + ".part");
-  std::filesystem::remove(file.name + ".part");
+  CHECK_FALSE(std::filesystem::exists(file.path));
+  const std::string text = text_of(file.path + ".part");
+  std::filesystem::remove(file.path + ".part");
   REQUIRE(!text.empty());
   CHECK_THROWS(events_in(text));  // it has no last bracket
   const auto beats = beats_of(events_in(text + "]"), 1);

@@ -12,26 +12,16 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 #include <nlohmann/json.hpp>
 
 #include <cca/cca.hpp>
 #include <cca/trace.hpp>
 
+#include "../../laws/temporary_file.hpp"
+
 namespace trace_test {
 
-// Its name; the file is removed at the end.
-struct temporary_file {
-  std::string name;
-  temporary_file() {
-    static int number = 0;
-    name = "/tmp/cca_trace_" + std::to_string(::getpid()) + "_" + std::to_string(number++) + ".json";
-  }
-  temporary_file(const temporary_file&) = delete;
-  temporary_file& operator=(const temporary_file&) = delete;
-  ~temporary_file() { ::unlink(name.c_str()); }
-};
+using laws::temporary_file;
 
 struct event {
   std::string name, category;
