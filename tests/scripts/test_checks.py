@@ -5,6 +5,7 @@ import unittest
 
 import compilers
 import components
+import drives
 import figures
 import finite
 import includes
@@ -421,6 +422,36 @@ class Troubleshooting(Tree):
         self.write("tests/rejects/rule.a-more.cpp", self.REJECT)
         with self.assertRaises(SystemExit):
             make_troubleshooting.main([str(self.root), "--check"])
+
+
+class Drives(Tree):
+    def test_all(self):
+        codec = self.write(f"{drives.HARDWARE}/drives/acme2.hpp", "struct acme2 {\n  static constexpr bool decode(const can_frame& f) {}\n};\n")
+        self.assertEqual(len(list(drives.problems(self.root))), len(drives.PARTS) + 1)
+        whole = {
+            "acme2.hpp": "#include <cca/hardware/drives/acme2.hpp>",
+            "virtual_acme2.hpp": "#include <cca/hardware/virtual_drives/virtual_acme2.hpp>",
+            "virtual_drives/virtual_acme2.hpp": "",
+            "virtual_drives/virtual_of.hpp": "#include <cca/hardware/virtual_drives/virtual_acme2.hpp>",
+            "virtual_drives/virtual_drive.hpp": "Models: virtual_acme2.hpp",
+            "drives/drive.hpp": "Models: mit.hpp, acme2.hpp. docs/drives.md",
+        }
+        for name, text in whole.items():
+            self.write(f"{drives.HARDWARE}/{name}", text)
+        self.write("tests/runtime/hardware/acme2.cpp", '#include "../../laws/drive_laws.hpp"')
+        self.write("tests/runtime/drive_chain/virtual_drives.cpp", "struct r : rig<virtual_acme2<hip>> {};")
+        self.write("tests/fuzz/acme2.cpp", "fuzz::hears<acme2>(data, size);")
+        self.write("tests/fuzz/corpus/acme2/first", "x")
+        self.write("docs/drives.md", "| `<cca/hardware/acme2.hpp>` |\n| | `acme2` |\n| | `virtual_acme2` |\n")
+        self.write("docs/README.md", "| | [Drives](drives.md) | Acme 2: units |\n")
+        self.write("tools/cca_can/drives/drive_name.hpp", "#include <cca/hardware/virtual_acme2.hpp>")
+        self.write("tools/cca_can/commands/help.hpp", "acme2:3")
+        self.assertEqual(list(drives.problems(self.root)), [])
+        (self.root / "tests/fuzz/acme2.cpp").unlink()
+        self.assertEqual(list(drives.problems(self.root)),
+                         ["tests/fuzz/acme2.cpp: the drive `acme2` lacks a fuzz target of the decoder (step 5 of How to add a drive)"])
+        codec.unlink()
+        self.assertIn("no family of drives found", list(drives.problems(self.root))[0])
 
 
 class Temporary(Tree):
