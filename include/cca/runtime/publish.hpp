@@ -79,9 +79,9 @@ inline constexpr int asked_part_of = [] {
   return -1;
 }();
 
-// The place of a call in the order of a beat; of an environment in that of the whole.
+// The place of a call in the order of a beat, from 1 on; of an environment in that of the whole.
 template <class Graph, int Call>
-inline constexpr int place_in_beat = call_of<Graph, Call>.rank;
+inline constexpr int place_in_beat = 1 + call_of<Graph, Call>.rank;
 template <class Graph, int Call>
 inline constexpr int place_in_beat<probed<Graph>, Call> = place_in_beat<Graph, Call>;
 
@@ -101,7 +101,7 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
     if (returned) b.state.parts[array_size(part)].is_stopped = b.state.parts[array_size(part)].rests = true;
   } else if constexpr (is_part_request<Returned>) {
     constexpr int part = asked_part_of<Graph, Call, Returned>;
-    constexpr int place = 1 + place_in_beat<Graph, Call>;
+    constexpr int place = place_in_beat<Graph, Call>;
     if (returned) {
       b.state.parts[array_size(part)].asked = result_facts<Returned>::asked.starts ? place : -place;
       b.state.is_asked = true;

@@ -118,6 +118,32 @@ struct split : cca::deployment<legs,
                                cca::environment<"mind", cca::nodes<"gait", "stance">>> {};
 // [architecture end]
 
+// ---- who asks has the first turn of a beat ----
+
+struct asks_first {
+  auto process(cca::beat now) -> std::tuple<cca::out<"y", number>, cca::switch_to<"later">> {
+    return {1, now.index() == 3};
+  }
+};
+struct listens {
+  void process(cca::in<"x", number>) {}
+};
+struct goes_on {
+  auto process(cca::beat now) -> cca::out<"y", number> { return now.dt(); }
+};
+struct sooner : cca::graph<cca::rate<1000>,
+                           cca::node<"asks", asks_first>,
+                           cca::node<"listens", listens>,
+                           cca::wire<"asks.y", "listens.x", cca::delayed<1>>> {};
+struct later : cca::graph<cca::rate<1000>,
+                          cca::node<"goes_on", goes_on>,
+                          cca::node<"listens", listens>,
+                          cca::wire<"goes_on.y", "listens.x">> {};
+struct two_modes : cca::modes<cca::mode<"sooner", sooner>, cca::mode<"later", later>> {};
+struct two_places : cca::deployment<two_modes,
+                                    cca::environment<"here", cca::nodes<"asks">>,
+                                    cca::environment<"there", cca::other_nodes>> {};
+
 }  // namespace
 
 TEST_SUITE("deployments of modes") {
@@ -147,6 +173,13 @@ TEST_SUITE("deployments of modes") {
     one_loop.run(cca::for_<0.5>{});
     CHECK(d.get<"leg">().all == one_loop.get<"leg">().all);
     CHECK_EQ(d.get<"gait">().phase, one_loop.get<"gait">().phase);
+  }
+
+  TEST_CASE("the component that fires first in a beat switches, too") {
+    cca::deployed<two_places> d;
+    begin(d);
+    d.run(cca::for_beats<4>{});
+    CHECK_EQ(d.mode(), "later");
   }
 
   TEST_CASE_TEMPLATE("components switch: as in one loop", D, in_two, in_four) {

@@ -12,7 +12,7 @@ namespace cca::detail {
 
 template <class D, int E>
 struct state_of_all_modes : controller_state<modes_in<D, E>>, links_of_environment<D, E>, active_mode {
-  int requested_at = 0;  // the place in the beat of the component that asks for a mode
+  int requested_at = 0;  // the place in the beat of the component that asks for a mode; 0: none does
   int active = 0;
   // Of each output that leaves: the beat in which its component came. What it has published before is not
   // repeated where a beat is cut.

@@ -216,6 +216,6 @@ constexpr int first_node_of_part(int number) {
 }
 
 template <class D, int E, int Call>
-inline constexpr int place_in_beat<part<D, E>, Call> = call_of<D, Call>.rank;
+inline constexpr int place_in_beat<part<D, E>, Call> = 1 + call_of<D, Call>.rank;
 
 }  // namespace cca::detail
