@@ -38,6 +38,7 @@ struct input_reader {
   static constexpr storage_kind kind =
       array < 0 ? storage_kind::none : layout_of<Graph>.arrays[array < 0 ? 0 : array].kind;
   static constexpr int element = in.writer < 0 ? 0 : output_of<Graph, in.writer>.port;
+  static constexpr bool shows_own_initial = in.own_initial && !in.in_beat;
 
   CCA_INLINE static auto& stored(const beat_context<Graph>& b, int index) {
     return b.template at<array>(index);
@@ -50,13 +51,13 @@ struct input_reader {
       return &from.template output<element>();
     } else {
       auto* sample = from.show(b.k, in.delay);
-      if constexpr (in.own_initial)
+      if constexpr (shows_own_initial)
         if (sample->origin() == never) sample = nullptr;
       return sample;
     }
   }
   static constexpr bool is_never_null =
-      kind == storage_kind::of_beat || (kind == storage_kind::newest && !in.own_initial);
+      kind == storage_kind::of_beat || (kind == storage_kind::newest && !shows_own_initial);
 
   CCA_INLINE static std::int64_t origin(const beat_context<Graph>& b, int index) {
     if constexpr (kind == storage_kind::none) {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <vector>
 
 #include "counting.hpp"
 
@@ -53,6 +54,36 @@ struct late : cca::graph<cca::rate<1000>,
                          cca::node<"leg", leg>,
                          cca::node<"recorder", late_recorder, cca::full_speed>,
                          cca::wire<"counter.y", "leg.x", cca::latest>> {};
+
+// Whenever `reader` fires, `source` has just published. For somebody outside its input shows more.
+struct source {
+  auto process(cca::beat now) -> cca::out<"y", reading> { return static_cast<double>(now.index()); }
+};
+struct reader {
+  void process(cca::in<"x", reading>) {}
+};
+template <class... Policy>
+struct watched_input : cca::graph<cca::rate<1000>,
+                                  cca::node<"source", source, cca::timed<4, 2>>,
+                                  cca::node<"reader", reader, cca::timed<4, 2>>,
+                                  cca::wire<"source.y", "reader.x", cca::initial<5>>,
+                                  cca::observe<"reader.**", Policy...>> {};
+struct without_policy : watched_input<> {};
+struct with_queue : watched_input<cca::queue<2>> {};  // an input without a queue gets none
+struct with_delay : watched_input<cca::delayed<1>> {};
+
+template <class Graph>
+std::vector<seen> seen_outside(int beats) {
+  cca::controller<Graph> c;
+  c.load();
+  c.start();
+  std::vector<seen> all;
+  for (int k = 0; k < beats; ++k) {
+    c.observed([&](const cca::observation& one) { all.push_back({k, one.values[0], one.origin, one.fresh}); });
+    c.step();
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -112,5 +143,22 @@ TEST_SUITE("observing") {
     CHECK_EQ(slow[3], seen{3, 1, 0, false});
     CHECK_EQ(slow[4], seen{4, 1, 0, false});
     CHECK_EQ(slow[5], seen{5, 5, 3'000'000, true});
+  }
+
+  TEST_CASE("an input that its component reads in the beat of publication is seen after it, and before") {
+    const std::int64_t published = 2'000'000;
+    const std::vector<seen> expected{{0, 5, cca::never, false},
+                                     {1, 5, cca::never, false},
+                                     {2, 5, cca::never, false},
+                                     {3, 2, published, true},
+                                     {4, 2, published, false}};
+    CHECK(seen_outside<without_policy>(5) == expected);
+    CHECK(seen_outside<with_queue>(5) == expected);
+    const std::vector<seen> a_beat_later{{0, 5, cca::never, false},
+                                         {1, 5, cca::never, false},
+                                         {2, 5, cca::never, false},
+                                         {3, 5, cca::never, false},
+                                         {4, 2, published, true}};
+    CHECK(seen_outside<with_delay>(5) == a_beat_later);
   }
 }

@@ -258,6 +258,8 @@ constexpr bool is_around(const flat_view& g, int part, int other) {
 constexpr int part_of_call(const flat_view& g, int call) { return g.nodes[g.calls[call].node].part; }
 
 constexpr bool is_queued(const input& i) { return i.queue >= 0; }
+// One that surely holds a sample whenever its component fires is watched before that, too.
+constexpr bool may_show_initial(const input& i) { return !is_queued(i) && (!i.in_beat || i.watched); }
 constexpr bool is_merged(const input& i) { return i.next_way >= 0 || i.way_of >= 0; }
 
 // Calls f(way) for each way into an input; that into an input of one wire is the input itself.

@@ -36,7 +36,7 @@ struct storage_step {
     bool first = true;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
-      if (in.queue >= 0 || in.in_beat || g.calls[in.call].elsewhere) continue;
+      if (!may_show_initial(in) || g.calls[in.call].elsewhere) continue;
       if (first) out.initial_of = in.initial;
       first = false;
       in.own_initial = !same_initial(out.initial_of, in.initial, port_of(g, out).space->size);
@@ -61,7 +61,7 @@ struct storage_step {
         depth = in.delay + 1 > depth ? in.delay + 1 : depth;
         outlives_beat = true;
       }
-      if (in.delay > 0) {
+      if (in.delay > 0 || in.outside) {
         read_later(in.delay, in.call);
       } else {
         const clock published_at = published_to(g, out, in.call);
