@@ -259,7 +259,8 @@ public:
 
   // Where the compiler knows the clock of a component, it fires by that clock from a switch on: for timed and
   // full_speed, and for restless, moderate and port_triggered if all inputs that they look at have such a
-  // clock. Here: the same one; else it is left open.
+  // clock. Here: the same one; else it is left open. Over a delayed wire a part that may be stopped publishes
+  // at any time: what arrives may be from before a stop.
   struct clock {
     std::int64_t period, first;
     bool operator==(const clock&) const = default;
@@ -281,6 +282,7 @@ public:
       const way& w = in.ways[0];
       const call& writer = g.calls[w.writer];
       if (writer.outputs[w.port].is_maybe || !is_in_parts_of(writer.node, t.node)) return {};
+      if (w.delay > 0 && !g.nodes[writer.node].parts.empty()) return {};
       auto its = clock_of(writer, depth + 1);
       if (!its) return {};
       its->first += w.delay;

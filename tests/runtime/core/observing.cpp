@@ -79,7 +79,8 @@ std::vector<seen> seen_outside(int beats) {
   c.start();
   std::vector<seen> all;
   for (int k = 0; k < beats; ++k) {
-    c.observed([&](const cca::observation& one) { all.push_back({k, one.values[0], one.origin, one.fresh}); });
+    c.observed(
+        [&](const cca::observation& one) { all.push_back({k, one.values[0], one.origin, one.fresh}); });
     c.step();
   }
   return all;

@@ -9,6 +9,7 @@
 #include <cca/graph/diagnosis/check.hpp>
 #include <cca/graph/plan/modes/mode_info.hpp>
 #include <cca/graph/plan/modes/same_commands.hpp>
+#include <cca/graph/plan/modes/unseen_samples.hpp>
 
 namespace cca::detail {
 
@@ -142,8 +143,11 @@ struct sharing {
   constexpr void join_samples(int mode) {
     const auto view = view_of(mode);
     for (int o = 0; o < view.g.output_count; ++o) {
-      const auto& out = view.g.outputs[o];
+      auto out = view.g.outputs[o];
       auto& own = to.outputs[view.shared_output(o)];
+      if (out.storage == storage_kind::of_beat &&
+          may_be_unseen(view, o, all.count, [this](int m) { return view_of(m); }))
+        out.storage = storage_kind::newest;
       own.watched |= out.watched;
       own.leaves |= out.leaves;
       if (out.storage == storage_kind::none || out.storage == storage_kind::of_beat) continue;
