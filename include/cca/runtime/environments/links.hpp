@@ -67,8 +67,8 @@ public:
   // Beat k was cut or skipped: what should have left by a known clock leaves again.
   void repeat_leaving(std::int64_t k) noexcept {
     [&]<int... Output>(std::integer_sequence<int, Output...>) {
-      const int all[] = {0, (repeat_one<Output>(k), 0)...};
-      (void)all;
+      const int repeated[] = {0, (repeat_one<Output>(k), 0)...};
+      (void)repeated;
     }(chosen<counts_of<D>.output_count, leaves_by_clock<D, E>>{});
   }
 
