@@ -162,7 +162,11 @@ private:
         // rested.
         const std::int64_t last_known = b.k - beats;
         const bool is_known = last_known >= known_since();
-        if constexpr (runs_in_cycles<Graph>) {
+        if constexpr (runs_in_cycles<Graph> && c.unsteady) {
+          const last_firing& kept = b.state.firings[at.firing];
+          const bool goes_on = is_known || (kept.last == last_known && !kept.is_first);
+          return {true, goes_on ? b.state.beats_since : 1, is_known ? last_known : kept.last};
+        } else if constexpr (runs_in_cycles<Graph>) {
           const std::int64_t since = b.state.parts[array_size(part)].since;
           return {true, is_known ? b.state.beats_since : 1, is_known ? last_known : since - 1};
         } else if constexpr (!c.unsteady) {

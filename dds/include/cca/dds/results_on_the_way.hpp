@@ -41,7 +41,7 @@ public:
     message.push_back(next++);
     message.push_back(static_cast<std::uint64_t>(std::max<std::int64_t>(beat, 0)));
     message.push_back(0);
-    (add(message, newest->template at<Output>().cycle, newest->template at<Output>()), ...);
+    (add_newest(message, newest->template at<Output>()), ...);
     bool is_all = true;
     (void(is_all &= add_gathered<Output>(message)), ...);
     if (is_all) newest = nullptr;
@@ -50,7 +50,7 @@ public:
   static void put(results& to, std::span<const std::uint64_t> message) {
     to.put_all([&](slot& here) {
       std::size_t at = sample_message::head;
-      (read(message, at, here.template at<Output>().cycle, here.template at<Output>()), ...);
+      (read_newest(message, at, here.template at<Output>()), ...);
       (put_gathered<Output>(here, message, at), ...);
     });
   }
@@ -71,7 +71,22 @@ private:
   template <int Number>
   static constexpr std::size_t size_of() {
     constexpr std::size_t most = most_in_message<Number>;
-    return words_of_sample<Number> + (most > 0 ? 1 + most * words_of_sample<Number> : 0);
+    return words_of_sample<Number> + words_of_modes +
+           (most > 0 ? 1 + words_of_modes + most * words_of_sample<Number> : 0);
+  }
+  // Of a set of modes: when the cycle began, and which sample was the first since its component came.
+  static constexpr bool has_modes = DeploymentOfModes<D>;
+  static constexpr std::size_t words_of_modes = has_modes ? 1 : 0;
+
+  template <class Sample>
+  static void add_newest(words& message, const Sample& one) {
+    add(message, one.cycle, one);
+    if constexpr (has_modes) message.push_back(static_cast<std::uint64_t>(one.began_in));
+  }
+  template <class Sample>
+  static void read_newest(std::span<const std::uint64_t> message, std::size_t& at, Sample& one) {
+    read(message, at, one.cycle, one);
+    if constexpr (has_modes) one.begin_in(static_cast<std::int64_t>(message[at++]));
   }
 
   template <class Sample>
@@ -97,6 +112,7 @@ private:
       const auto& all = newest->template gathered<Number>();
       std::uint64_t& next = numbers[Number];
       if (all.end() < next) next = 0;
+      if constexpr (has_modes) message.push_back(all.stay.first);
       const std::size_t count_at = message.size();
       std::size_t count = 0;
       message.push_back(0);
@@ -117,6 +133,7 @@ private:
                            [[maybe_unused]] std::span<const std::uint64_t> message,
                            [[maybe_unused]] std::size_t& at) {
     if constexpr (most_in_message<Number> > 0) {
+      if constexpr (has_modes) here.template gathered<Number>().stay.first = message[at++];
       const std::uint64_t count = message[at++];
       for (std::uint64_t i = 0; i < most_in_message<Number>; ++i) {
         cca::detail::result_of_cycle<D, Number> one;

@@ -68,6 +68,7 @@ struct stated_environment {};     // [environment, no item]
 struct placed_path {};            // a path that names nothing [name, environment, no item]
 struct placed_node {};            // named by a second environment [environment], or by none [node]
 struct finished_environment {};   // all components have their place [environment, no item]
+struct free_node {};              // a component of a free-running environment [node, environment]
 struct crossing {};               // a wire, or an observer's node, between two environments [input, output]
 struct queue_shown_elsewhere {};  // an observer's node; the queue is in another environment [input, output]
 

@@ -14,6 +14,8 @@ namespace cca::detail {
 
 template <class D, int E>
 inline constexpr bool runs_in_cycles<part<D, E>> = is_free_running<D, E>;
+template <class D, int E>
+inline constexpr bool runs_in_cycles<modes_in<D, E>> = is_free_running<D, E>;
 template <class Graph>
 inline constexpr bool runs_in_cycles<probed<Graph>> = runs_in_cycles<Graph>;
 
@@ -145,7 +147,7 @@ inline constexpr bool samples_tell = [] {
 
 template <class D, int Output>
 inline constexpr bool is_of_free_running = [] {
-  if constexpr (is_request<D>(Output) || DeploymentOfModes<D> || DeployedMode<D>) return false;
+  if constexpr (is_request<D>(Output)) return false;
   const auto& plan = plan_of<D>;
   return environments_of<D>::all[array_size(environment_of(plan.view(), plan.outputs[Output].call))]
       .is_free_running;

@@ -302,8 +302,7 @@ private:
       if (!here[E]) return;
       loop.handle_fault();
       loop.settle_changes(is_faulted ? k - 1 : k, k, !is_faulted);
-      if constexpr (!DeploymentOfModes<D>)  // theirs are all delayed
-        if (is_faulted) loop.state.settle_queues(k - 1);
+      if (is_faulted) loop.settle_queues(k - 1);
       loop.skip_to(k);
     });
     if (!is_faulted) return;
@@ -317,8 +316,7 @@ private:
       changes::order, changes::order_at_rest, changes::set_part_in, changes::is_computing;
   using host::idle, host::move, host::now, host::reason;
   using placed::component, placed::component_of, placed::visit, placed::for_each_part_state,
-      placed::for_each_state;
-  using placed::loops, placed::here;
+      placed::for_each_state, placed::loops, placed::here;
   using placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in, placed::observed_newest,
       placed::observed_in_any_mode, placed::next_of;
 

@@ -128,7 +128,7 @@ public:
       if (!goes_on()) return;
       own().begun_at[own().slot_of(k)].store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
-      this->admit();
+      if (!this->admit()) return;
       own().begun.store(k, std::memory_order_release);
       state.ring();
       run_timed_beat();
@@ -186,6 +186,10 @@ public:
   // When its last beat began, or when it idled last.
   std::int64_t last_active() const noexcept { return active_at; }
 
+  // Beat k was cut.
+  void settle_queues(std::int64_t beat) {
+    this->in_mode([&]<class Part>() { this->template links_in<Part>().settle_queues(beat); });
+  }
   // Goes on with beat `next`: those in between count as done, also where a fault has cut the last.
   void skip_to(std::int64_t next) {
     if constexpr (is_free)
@@ -282,7 +286,7 @@ private:
     if constexpr (asks_for_changes<D>(E))
       if (this->is_asked()) [[unlikely]] {
         if (outcome.fault || state.is_cut) this->forget_asked();
-        else send_requests<D, E>(shared(), state, beat, state.is_exact);
+        else this->send_asked(beat);
       }
     if (outcome.turns != all_turns) [[unlikely]]
       note_missed<mode>(state, index(), outcome.turns);

@@ -53,7 +53,8 @@ public:
   template <int Output, class Vector>
   CCA_INLINE void send(const Vector& v, std::int64_t origin, std::int64_t k) {
     if constexpr (is_free)
-      if (!is_exact) return shared->template results<E>().template put<Output>(v, origin);
+      if (!is_exact)
+        return shared->template results<E>().template put<shared_output_of<D, Output>>(v, origin, this->beat);
     shared->template put<shared_output_of<D, Output>>(v, origin, beat_at(k), is_exact);
   }
 

@@ -244,7 +244,7 @@ private:
     if constexpr (detail::Recordable<M>)
       if (auto* const tap = recorded_into()) tap->switched(next, is_requested, k);
     state_of_all.since = k;
-    with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, k, is_started); });
+    with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, k, k, is_started); });
   }
 
   using host::k, host::now;

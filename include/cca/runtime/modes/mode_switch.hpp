@@ -85,7 +85,8 @@ inline constexpr auto queues_of_mode = [] {
     const int number = static_cast<int>(i);
     if (is_queued(in) && in.way_of < 0)
       numbers.queues[i] = sharing::find_queue(view_of_mode<M, I>, number, shown_plan<M>);
-    if (is_on_the_way(in)) numbers.ways[i] = sharing::find_way(view_of_mode<M, I>, number, shown_plan<M>);
+    if (sharing::is_kept_way(shown_plan<mode_key<M, I>>, in))
+      numbers.ways[i] = sharing::find_way(view_of_mode<M, I>, number, shown_plan<M>);
   }
   return numbers;
 }();
@@ -143,15 +144,16 @@ struct mode_switch {
 
   // ---- from the last mode to I ----
 
-  void enter(int last, [[maybe_unused]] std::int64_t k, bool is_started) {
+  // `k`: as this loop counts beats; `beat`: as the others do (a free-running environment counts cycles).
+  void enter(int last, [[maybe_unused]] std::int64_t k, [[maybe_unused]] std::int64_t beat, bool is_started) {
     if constexpr (parts_kept<M> > 0)
       for (int p = 0; p < parts_kept<M>; ++p)
         if (!has_mode(plan_of<M>.parts[array_size(p)].modes, last)) come(p, k);
     for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
-      if (!has_mode(modes_with_output<M, I>(Output), last)) begin_anew<Output>(k);
+      if (!has_mode(modes_with_output<M, I>(Output), last)) begin_anew<Output>(beat);
     });
     for_each<counts.output_count, passing_to_others<M, I>>([&]<int Output>() {
-      if (!has_mode(modes_with_output<M, I>(Output), last)) note_coming<Output>(state, k);
+      if (!has_mode(modes_with_output<M, I>(Output), last)) note_coming<Output>(state, beat);
     });
     for_each<counts.input_count, passing_queue<M, I>>([&]<int Input>() {
       constexpr int queue = queues_of_mode<M, I>.queues[array_size(Input)];
@@ -162,7 +164,7 @@ struct mode_switch {
     });
     for_each<counts.input_count, passing_way<M, I>>([&]<int Way>() {
       constexpr int way = queues_of_mode<M, I>.ways[array_size(Way)];
-      if (!has_mode(plan_of<M>.inputs[array_size(way)].modes, last)) { forget_way<way>(state, k); }
+      if (!has_mode(plan_of<M>.inputs[array_size(way)].modes, last)) { forget_way<way>(state, beat); }
     });
     if (is_started)
       for_each<counts.node_count, hook<true>>([&]<int Node>() {
@@ -174,19 +176,19 @@ private:
   // From another environment nothing more comes of what was published before. (Templates on the state: only
   // that of an environment knows of others.)
   template <int Way, class State>
-  static void forget_way(State& in, [[maybe_unused]] std::int64_t k) {
+  static void forget_way(State& in, [[maybe_unused]] std::int64_t beat) {
     constexpr place at = layout_of<M>.on_the_way[Way];
     if constexpr (at.array >= 0) sample_in<M, at.array>(in, at.index).forget();
-    else in.template forget_way<Way>(k);
+    else in.template forget_way<Way>(beat);
   }
   template <int Output, class State>
-  static void note_coming(State& in, std::int64_t k) {
-    in.came_in[array_size(view_of_mode<M, I>.shared_output(Output))] = k;
+  static void note_coming(State& in, std::int64_t beat) {
+    in.template note_coming<view_of_mode<M, I>.shared_output(Output)>(beat);
   }
   template <int Output, class State>
-  static void forget_arriving([[maybe_unused]] State& in, [[maybe_unused]] std::int64_t k) {
+  static void forget_arriving([[maybe_unused]] State& in, [[maybe_unused]] std::int64_t beat) {
     if constexpr (array_of<M, layout_of<M>.outputs[Output].array>.kind == storage_kind::arriving)
-      in.template forget_output<Output>(k);
+      in.template forget_output<Output>(beat);
   }
 
   // A template on the state: a set of modes whose clocks are all known keeps none.
@@ -250,7 +252,7 @@ private:
 
   // It has not been published yet: it shows the initial value.
   template <int Output>
-  void begin_anew([[maybe_unused]] std::int64_t k) {
+  void begin_anew([[maybe_unused]] std::int64_t beat) {
     constexpr int shared = view_of_mode<M, I>.shared_output(Output);
     constexpr place at = layout_of<M>.outputs[shared];
     auto& sample = sample_in<M, at.array>(state, at.index);
@@ -259,7 +261,7 @@ private:
       for (int c = 0; c < size_of_output<M, shared>; ++c)
         sample.vector()[c] =
             initial_coordinate(output_of<M, shared>.initial_of, *output_port_of<M, shared>.space, c);
-    forget_arriving<shared>(state, k);
+    forget_arriving<shared>(state, beat);
   }
 };
 

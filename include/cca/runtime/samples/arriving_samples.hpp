@@ -64,6 +64,7 @@ public:
     s.published_in = published_in;
     s.came = k;
   }
+  void forget() { count = 0; }
   const stored_sample<Size>* show(std::int64_t, int delay) const { return newest_arrived(delay); }
   // In this cycle, or in one before.
   std::int64_t arrived(std::int64_t k, int delay) const {

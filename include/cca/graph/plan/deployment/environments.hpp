@@ -156,7 +156,7 @@ template <class D, int E>
 inline constexpr bool is_free_running = environments_of<D>::all[array_size(E)].is_free_running;
 template <class Graph>
 inline constexpr bool has_free_running = false;
-template <Deployment D>
+template <AnyDeployment D>
 inline constexpr bool has_free_running<D> = [] {
   for (const environment_info& e : environments_of<D>::all)
     if (e.is_free_running) return true;

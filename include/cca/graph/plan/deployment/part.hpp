@@ -33,7 +33,7 @@ template <class Graph>
 constexpr bool is_free_node(int) {
   return false;
 }
-template <Deployment D>
+template <AnyDeployment D>
 constexpr bool is_free_node(int node) {
   return environments_of<D>::all[array_size(plan_of<D>.nodes[array_size(node)].environment)].is_free_running;
 }

@@ -92,6 +92,11 @@ struct placer {
         check<when::placed_node>(g, {.item = node.item, .scope = node.scope, .component = n});
     }
     if (!modes) check_environments(g);
+    for (int n = 0; n < g.node_count; ++n)
+      if (const auto& node = g.nodes[n];
+          node.environment >= 0 && g.environments[node.environment].is_free_running)
+        check<when::free_node>(
+            g, {.item = node.item, .scope = node.scope, .component = n, .environment = node.environment});
   }
 
   constexpr void check_crossings() {

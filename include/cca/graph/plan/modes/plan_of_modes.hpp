@@ -227,6 +227,7 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
     auto& out = g.outputs[o];
     const auto& shared = view.whole.outputs[view.shared_output(o)];
     out.leaves = shared.leaves;
+    out.in_a_beat = shared.in_a_beat;
     out.by_clock = g.calls[out.call].fires == view.whole.calls[shared.call].fires;
     if (shared.storage == storage_kind::none) continue;
     out.storage = shared.storage;

@@ -150,6 +150,7 @@ struct sharing {
         out.storage = storage_kind::newest;
       own.watched |= out.watched;
       own.leaves |= out.leaves;
+      if (out.in_a_beat > own.in_a_beat) own.in_a_beat = out.in_a_beat;
       if (out.storage == storage_kind::none || out.storage == storage_kind::of_beat) continue;
       if (out.storage > own.storage) own.storage = out.storage;
       if (out.depth > own.depth) own.depth = out.depth;
@@ -159,7 +160,7 @@ struct sharing {
       const auto& in = view.g.inputs[i];
       if (in.queue < 0) continue;
       if (in.way_of < 0) join_queue(view, mode, i);
-      if (is_on_the_way(in) && is_for_many(in)) join_way(view, mode, i);
+      if (is_kept_way(view.g, in) && is_for_many(in)) join_way(view, mode, i);
     }
   }
 
@@ -195,6 +196,13 @@ struct sharing {
     own.modes |= bit_of(mode);
   }
 
+  // A way into a queue of which something is kept between two beats: what has not arrived, or how much of
+  // what another environment publishes has been taken.
+  static constexpr bool is_kept_way(const flat_view& g, const input& in) {
+    if (!is_queued(in) || in.writer < 0) return false;
+    const auto environment_of = [&](int call) { return g.nodes[g.calls[call].node].environment; };
+    return in.delay > 0 || environment_of(in.call) != environment_of(g.outputs[in.writer].call);
+  }
   // Several wires may lead into its queue, other ones in another mode.
   static constexpr bool is_for_many(const input& in) { return in.wire->policy == policy_kind::merged; }
 

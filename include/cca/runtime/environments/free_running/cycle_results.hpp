@@ -37,15 +37,36 @@ struct leaves_freely<D, std::integer_sequence<int, E...>> {
   static constexpr bool holds([[maybe_unused]] std::size_t o) { return (leaves_from<D, E>::holds(o) || ...); }
 };
 
+// Of a set of modes: the first sample since the component came the last time. What it has published before is
+// not read.
+template <bool HasModes>
+struct stay_of_component {
+  static constexpr std::uint64_t first = 0;
+};
+template <>
+struct stay_of_component<true> {
+  std::uint64_t first = 0;
+};
 // Of an output the samples that queues in other environments take; else nothing.
 template <class D, int Output>
 struct no_gathered_samples {
   void put(std::int64_t, const auto&) {}
   void follow(const no_gathered_samples&, bool, std::uint64_t) {}
   static std::uint64_t end() { return 0; }
+  static constexpr stay_of_component<false> stay{};
+  void begin_stay() {}
+  void keep_stay(std::uint64_t) {}
 };
 template <class D, int Output>
 struct gathered_of_output : gathered_samples<size_of_output<D, Output>, most_waiting<D, Output>> {
+  [[no_unique_address]] stay_of_component<DeploymentOfModes<D>> stay;
+
+  void begin_stay() { stay.first = this->end(); }
+  void keep_stay(std::uint64_t number) { stay.first = std::max(stay.first, number); }
+  void follow(const gathered_of_output& newer, bool is_taken, std::uint64_t taken) {
+    stay = newer.stay;
+    gathered_samples<size_of_output<D, Output>, most_waiting<D, Output>>::follow(newer, is_taken, taken);
+  }
   template <class Vector>
   void put(std::int64_t origin, const Vector& v) {
     this->put_numbered(this->end(), origin, v);
@@ -55,8 +76,19 @@ template <class D, int Output>
 using gathered_or_none =
     std::conditional_t<is_gathered<D, Output>, gathered_of_output<D, Output>, no_gathered_samples<D, Output>>;
 
+// Of a set of modes: the beat in which the cycle began that published it.
+template <bool HasModes>
+struct beat_of_cycle {
+  void begin_in(std::int64_t) {}
+};
+template <>
+struct beat_of_cycle<true> {
+  std::int64_t began_in = -1;
+  void begin_in(std::int64_t beat) { began_in = beat; }
+};
+
 template <class D, int Output>
-struct result_of_cycle {
+struct result_of_cycle : beat_of_cycle<DeploymentOfModes<D>> {
   static constexpr int size = size_of_output<D, Output>;
 
   std::uint64_t cycle = 0;  // in which it was published; 0: never
@@ -98,14 +130,30 @@ public:
 
   // ---- the writer's ----
 
-  // A run begins. What a process that died in a cycle has left in its slot is forgotten.
-  void begin_run() noexcept { slots[own] = slots[newest]; }
+  // A run begins. What a process that died in a cycle has left in its slot is forgotten; but not which
+  // components have come since the last run.
+  void begin_run() noexcept {
+    [[maybe_unused]] const std::array<std::uint64_t, sizeof...(Output) + 1> stays{
+        slots[own].template gathered<Output>().stay.first..., 0};
+    slots[own] = slots[newest];
+    if constexpr (DeploymentOfModes<D>) {
+      [[maybe_unused]] auto stay = stays.begin();
+      (slots[own].template gathered<Output>().keep_stay(*stay++), ...);
+    }
+  }
 
+  // In a cycle that began in this beat.
   template <int Number, class Vector>
-  void put(const Vector& v, std::int64_t origin) noexcept {
+  void put(const Vector& v, std::int64_t origin, std::int64_t beat) noexcept {
     slots[own].template at<Number>().put(cycles.load(std::memory_order_relaxed) + 1, origin, v);
+    slots[own].template at<Number>().begin_in(beat);
     slots[own].template gathered<Number>().put(origin, v);
     has_news.store(true, std::memory_order_relaxed);
+  }
+  // Of a set of modes: the component of this output comes.
+  template <int Number>
+  void begin_stay() noexcept {
+    slots[own].template gathered<Number>().begin_stay();
   }
   void end_cycle() noexcept {
     const std::uint64_t cycle = cycles.load(std::memory_order_relaxed) + 1;

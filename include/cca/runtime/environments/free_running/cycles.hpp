@@ -7,10 +7,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 
 #include <cca/runtime/environments/free_running/free_arrivals.hpp>
+#include <cca/runtime/environments/samples/links_of_environment.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/recording/tell_recorder.hpp>
 
@@ -82,7 +84,7 @@ protected:
   // After a run, before beat `next`. Cycles are no beats, so none was left out.
   void end_cycles(std::int64_t next) {
     auto& state = loop().state;
-    if (state.index > 0) repeat_outputs<part<D, E>>(state, state.index - 1);
+    if (state.index > 0) loop().in_mode([&]<class Part>() { repeat_outputs<Part>(state, state.index - 1); });
     if (next > loop().k) loop().tell_skipped(loop().k, next - loop().k, false);
     loop().k = loop().done = next;
     loop().tell_reached();
@@ -100,15 +102,22 @@ private:
     loop().state.ring();
     loop().tell_reached();
   }
+  // A mode may have no component of it.
   bool is_stopped_wholly() const {
-    if constexpr (parts_kept<part<D, E>> > 0) {
-      for (const component_node& node : plan_of<D>.nodes)
-        if (node.item && node.environment == E &&
-            (node.part < 0 || !loop().state.parts[array_size(node.part)].rests))
-          return false;
-      return true;
-    }
-    return false;
+    bool rests = false;
+    loop().in_mode([&]<class Part>() {
+      if constexpr (parts_kept<Part> > 0 || DeploymentOfModes<D>) {
+        rests = true;
+        for (const component_node& node : plan_of<Part>.nodes)
+          rests = rests && (!node.item || node.environment != E || is_resting<Part>(node.part));
+      }
+    });
+    return rests;
+  }
+  template <class Part>
+  bool is_resting([[maybe_unused]] int part) const {
+    if constexpr (parts_kept<Part> > 0) return part >= 0 && loop().state.parts[array_size(part)].rests;
+    else return false;
   }
   bool is_on_a_clock() const { return loop().state.shared && !loop().state.is_exact; }
   Loop& loop() { return static_cast<Loop&>(*this); }
@@ -119,27 +128,49 @@ template <class Loop, class D, int E, bool Admits = E == 0 && has_free_running<D
 class admission_of {
 protected:
   void begin_admission() noexcept {}
-  void admit() noexcept {}
+  static bool admit() noexcept { return true; }
+  static void note_mode(int, int, std::int64_t) noexcept {}
   void tell_arrivals() noexcept {}
   void look_for_free(std::int64_t) noexcept {}
 };
 
 template <class Loop, class D, int E>
 class admission_of<Loop, D, E, true> {
+public:
+  // For `arrivals`.
+  template <int Output, class Result>
+  bool arrives([[maybe_unused]] const Result& result) const noexcept {
+    if constexpr (DeploymentOfModes<D>)
+      return has_mode(modes_of_output(Output), loop().mode()) && result.began_in >= came_in[Output];
+    else return true;
+  }
+
 protected:
   // Of a run.
   void begin_admission() noexcept {
     if (loop().state.is_exact) arrivals.forget(loop().shared());
   }
-  // Of a beat.
-  void admit() noexcept { arrivals.admit(loop().shared(), loop().k); }
+  // Of a beat. False: contact was lost before.
+  bool admit() noexcept {
+    if constexpr (DeploymentOfModes<D>)
+      if (!loop().learn_mode_before_beat()) return false;
+    arrivals.admit(loop().shared(), loop().k, *this);
+    return true;
+  }
+  // What a component has published before it came is not read, as in one loop.
+  void note_mode(int last, int to, std::int64_t beat) noexcept {
+    for (int o = 0; o < counts_of<D>.output_count; ++o) {
+      const mode_set modes = modes_of_output(o);
+      if (has_mode(modes, to) && !has_mode(modes, last)) came_in[array_size(o)] = beat;
+    }
+  }
   // In the frame of this beat, of which they are.
   void tell_arrivals() noexcept {
     if (!loop().state.tap.get()) return;
     tell_gathered();
     if (loop().state.is_exact) return;
     arrivals.for_each([this]<int Output>(const auto& coordinates, std::int64_t origin) {
-      tell_recorder<part<D, E>>(loop().state.frame, Output, coordinates, origin);
+      tell_recorder<loop_key<D, E>>(loop().state.frame, Output, coordinates, origin);
     });
   }
   // Between two beats, before the last. Nobody waits for a free-running environment, and it is never late: so
@@ -154,11 +185,16 @@ protected:
 
 private:
   Loop& loop() { return static_cast<Loop&>(*this); }
+  const Loop& loop() const { return static_cast<const Loop&>(*this); }
 
+  static mode_set modes_of_output(int o) {
+    const auto& out = plan_of<D>.outputs[array_size(o)];
+    return out.is_taken ? out.modes : plan_of<D>.nodes[array_size(node_of_output<D>(o))].modes;
+  }
   // Those before the newest of each output that queues take.
   void tell_gathered() noexcept {
     std::int64_t* const frame = loop().state.frame;
-    static constexpr const auto& layout = frame_layout_of<part<D, E>>;
+    static constexpr const auto& layout = frame_layout_of<loop_key<D, E>>;
     for (const int at : layout.earlier)
       if (at > 0) frame[at] = frame[at + 1] = 0;
     if (loop().state.is_exact) return;
@@ -178,6 +214,8 @@ private:
 
   free_arrivals<D> arrivals{};
   std::int64_t asked_at = 0;
+  // Of a set of modes: the beat in which the component of an output came.
+  std::array<std::int64_t, DeploymentOfModes<D> ? array_size(counts_of<D>.output_count + 1) : 1> came_in{};
 };
 
 }  // namespace cca::detail

@@ -3,6 +3,7 @@
 // of this beat. So all readers, and a recording, agree on the beat in which a sample arrived.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -25,10 +26,11 @@ public:
     }
     news = nullptr;
   }
-  // Beat k begins.
-  void admit(exchange<D>& shared, [[maybe_unused]] std::int64_t k) noexcept {
+  // Beat k begins. by.template arrives<Output>(result): else it is forgotten.
+  template <class By>
+  void admit(exchange<D>& shared, [[maybe_unused]] std::int64_t k, [[maybe_unused]] const By& by) noexcept {
     news = shared.template results<E>().take();
-    if (news) (admit_one<Output>(shared, k), ...);
+    if (news) (admit_one<Output>(shared, k, by), ...);
   }
   // f.template operator()<Output>(coordinates, origin) for the newest of each output that arrived in this
   // beat.
@@ -63,12 +65,14 @@ private:
     return at;
   }();
 
-  template <int Number>
-  void admit_one(exchange<D>& shared, std::int64_t k) noexcept {
+  template <int Number, class By>
+  void admit_one(exchange<D>& shared, std::int64_t k, const By& by) noexcept {
     const auto& result = news->template at<Number>();
     is_new[index<Number>] = result.cycle != seen[index<Number>];
     if (!is_new[index<Number>]) return;
     seen[index<Number>] = result.cycle;
+    is_new[index<Number>] = by.template arrives<Number>(result);
+    if (!is_new[index<Number>]) return;
     shared.template arrived<Number>().put(result.vector(), result.origin, k);
     if constexpr (is_gathered<D, Number>) gather_one<Number>(shared, k);
   }
@@ -79,6 +83,11 @@ private:
     const auto& all = news->template gathered<Number>();
     gathered_numbers& at = gathered[index<Number>];
     if (all.end() < at.from) at.from = at.counted = 0;  // its process has begun anew
+    if constexpr (DeploymentOfModes<D>) {
+      const std::uint64_t first = std::min(all.stay.first, all.end());
+      at.from = std::max(at.from, first);
+      at.counted = std::max(at.counted, first);
+    }
     at.begins = at.from;
     std::uint64_t came = 0;
     all.for_each_from(at.begins, [&](const auto& one) {
@@ -109,8 +118,11 @@ struct free_arrivals<D, std::integer_sequence<int, E...>> : arrivals_from<D, E>.
   void forget([[maybe_unused]] exchange<D>& shared) noexcept {
     (static_cast<arrivals_from<D, E>&>(*this).forget(shared), ...);
   }
-  void admit([[maybe_unused]] exchange<D>& shared, [[maybe_unused]] std::int64_t k) noexcept {
-    (static_cast<arrivals_from<D, E>&>(*this).admit(shared, k), ...);
+  template <class By>
+  void admit([[maybe_unused]] exchange<D>& shared,
+             [[maybe_unused]] std::int64_t k,
+             [[maybe_unused]] const By& by) noexcept {
+    (static_cast<arrivals_from<D, E>&>(*this).admit(shared, k, by), ...);
   }
   template <class F>
   void for_each([[maybe_unused]] F f) const {

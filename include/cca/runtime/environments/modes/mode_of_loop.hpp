@@ -80,14 +80,17 @@ public:
     auto& state = loop().state;
     const int last = state.active;
     if (to == last) return;
-    with_mode(last, [&]<int I>() { mode_switch<set, I>{state}.leave(to, next, is_started); });
+    const std::int64_t index = loop().index_of(next);
+    with_mode(last, [&]<int I>() { mode_switch<set, I>{state}.leave(to, index, is_started); });
     state.active = to;
-    state.since = next;
+    state.since = index;
+    first_beat = next;
     ++switched;
+    loop().note_mode(last, to, next);
     if constexpr (Traceable<D>)
       if (auto* const track = state.trace.get()) track->switched(to);
     tell_mode(is_requested, next);
-    with_mode(to, [&]<int I>() { mode_switch<set, I>{state}.enter(last, next, is_started); });
+    with_mode(to, [&]<int I>() { mode_switch<set, I>{state}.enter(last, index, next, is_started); });
   }
   // As other environments have switched, between two runs.
   void join_mode(int to, std::int64_t so_often, std::int64_t next, bool is_started) noexcept {
@@ -107,7 +110,7 @@ protected:
   auto& links_in() {
     return static_cast<environment_links<deployment_of_part<Part>, E>&>(loop().state);
   }
-  std::int64_t first_of_mode() const { return loop().state.since; }
+  std::int64_t first_of_mode() const { return first_beat; }
   bool is_asked() const {
     if constexpr (counts_of<D>.part_count > 0)
       if (loop().state.is_asked) return true;
@@ -117,18 +120,39 @@ protected:
     if constexpr (counts_of<D>.part_count > 0) forget_requests(loop().state);
     loop().state.forget_request();
   }
-  // First it learns which mode the beat is in.
-  void run_beat_of_mode() noexcept {
+  // Of the beat that begins. False: contact was lost before.
+  bool learn_mode() noexcept {
     auto& state = loop().state;
     if (!state.is_exact)
       if (const int lost = state.count_late(loop().k, state.observers()); lost >= 0)
-        return loop().state_fault(state.observers(), 0, lost_contact<D>(lost), -1);
-    loop().take_changes(loop().k);
+        return loop().state_fault(state.observers(), 0, lost_contact<D>(lost), -1), false;
+    loop().take_changes(loop().beat_that_begins());
+    return true;
+  }
+  // What components of free-running environments have published arrives before a beat begins, and its mode
+  // says whether it does.
+  bool learn_mode_before_beat() noexcept { return is_mode_known = learn_mode(); }
+  // First it learns which mode the beat is in.
+  void run_beat_of_mode() noexcept {
+    if (!is_mode_known && !learn_mode()) return;
+    is_mode_known = false;
     in_mode([this]<class Part>() {
       if constexpr (Recordable<D>)
         if (this->loop().state.is_observed()) return this->template run<probed<Part>>();
       this->template run<Part>();
     });
+  }
+  // A component of a free-running environment asks for a mode in a wall-clock run: its cycles are no beats,
+  // so that is an order. One in a beat is enough.
+  void order_what_is_requested() noexcept {
+    const int to = loop().state.requested;
+    loop().state.forget_request();
+    const std::int64_t next = loop().next_beat();
+    if (to < 0 || to == (next <= ordered_for ? ordered_mode : mode()) || next == ordered_before) return;
+    ordered_before = next;
+    ordered_mode = to;
+    ordered_for = beat_of_order<D>(next, false);
+    send_order<D, E>(loop().shared(), ordered::mode, to, ordered_for, false);
   }
   // In the whole set.
   template <class Part>
@@ -163,6 +187,10 @@ private:
   const Loop& loop() const { return static_cast<const Loop&>(*this); }
 
   std::int64_t switched = 0;  // so often
+  std::int64_t first_beat = 0;
+  bool is_mode_known = false;                          // of the beat that begins
+  std::int64_t ordered_before = -1, ordered_for = -1;  // beats
+  int ordered_mode = -1;
 };
 
 }  // namespace cca::detail

@@ -34,6 +34,13 @@ struct state_of_all_modes : controller_state<modes_in<D, E>>, links_of_environme
     requested_at = 0;
   }
 
+  // A component of this environment comes before beat k.
+  template <int Output>
+  void note_coming(std::int64_t k) noexcept {
+    came_in[array_size(Output)] = k;
+    if constexpr (is_free_running<D, E>)
+      if (this->shared) this->shared->template results<E>().template begin_stay<Output>();
+  }
   // The component of an output comes before beat k: what it has published before is not read.
   template <int Output>
   void forget_output(std::int64_t k) noexcept {
@@ -42,13 +49,14 @@ struct state_of_all_modes : controller_state<modes_in<D, E>>, links_of_environme
   template <int Way>
   void forget_way(std::int64_t k) noexcept {
     constexpr int output = plan_of<modes_in<D, E>>.inputs[Way].writer;
-    pass<output>(static_cast<next_by_way<modes_in<D, E>, Way>&>(*this), k);
+    pass<output>(static_cast<typename next_of_shared_way<D, E, Way>::type&>(*this), k);
   }
 
 private:
   template <int Output, class Next>
   void pass(Next& next, std::int64_t k) noexcept {
     next.not_before = k;
+    if constexpr (requires { next.gathered_number; }) next.gathered_number = next.unknown;
     if (this->shared)  // not before the first run
       next.number = this->shared->template ring<Output>().end_before(next.number, k);
   }

@@ -62,6 +62,18 @@ public:
   void take_changes(std::int64_t next) noexcept { loop().state.changes.take(loop().shared(), loop(), next); }
 
 protected:
+  // What components have asked for in a beat, or in a cycle that began in it.
+  void send_asked(std::int64_t beat) noexcept {
+    auto& state = loop().state;
+    if constexpr (is_free_running<D, E> && DeploymentOfModes<D>)
+      if (!state.is_exact) loop().order_what_is_requested();
+    if (loop().is_asked()) send_requests<D, E>(loop().shared(), state, beat, state.is_exact);
+  }
+  // A beat as this loop counts: a free-running environment counts cycles.
+  std::int64_t index_of(std::int64_t beat) {
+    if constexpr (is_free_running<D, E>) return loop().state.index;
+    else return beat;
+  }
   // f(the observer of its beats), while it is recorded.
   template <class F>
   void tell([[maybe_unused]] F f) noexcept {
@@ -86,10 +98,6 @@ protected:
   }
 
 private:
-  std::int64_t index_of(std::int64_t beat) {
-    if constexpr (is_free_running<D, E>) return loop().state.index;  // it counts cycles
-    else return beat;
-  }
   Loop& loop() { return static_cast<Loop&>(*this); }
 };
 

@@ -20,30 +20,33 @@ struct next_by_way {
   std::uint64_t number = 0;
   std::int64_t newest = -1;
 };
-// From a free-running environment also of what has come in a wall-clock run: its place in the ring, and the
-// number that its output gave it.
-template <class D, int Way>
-struct next_by_way<D, Way, true> : next_by_way<D, Way> {
-  static constexpr std::uint64_t unknown = ~std::uint64_t{0};  // it has joined others that ran before
-  std::uint64_t gathered = 0, gathered_number = 0;
-};
-
 // Of a set of modes: what was published before the way came is not read. A way has the number that all modes
 // share.
-template <class D, int E, int Way, bool IsFree>
-struct next_by_way<modes_in<D, E>, Way, IsFree> {
+template <class D, int E, int Way>
+struct next_by_way<modes_in<D, E>, Way, false> {
   std::uint64_t number = 0;
   std::int64_t newest = -1;
   std::int64_t not_before = 0;
+};
+// From a free-running environment also of what has come in a wall-clock run: its place in the ring, and the
+// number that its output gave it.
+template <class Key, int Way>
+struct next_by_way<Key, Way, true> : next_by_way<Key, Way> {
+  static constexpr std::uint64_t unknown = ~std::uint64_t{0};  // it has joined others that ran before
+  std::uint64_t gathered = 0, gathered_number = 0;
 };
 template <class D, int E, int Way>
 struct next_of_way {
   using type = next_by_way<D, Way, is_of_free_running<D, input_of<part<D, E>, Way>.writer>>;
 };
-template <class D, int I, int E, int Way>
-struct next_of_way<deployed_mode<D, I>, E, Way> {
-  using type = next_by_way<modes_in<D, E>, queues_of_mode<modes_in<D, E>, I>.ways[array_size(Way)]>;
+template <class D, int E, int Way>
+struct next_of_shared_way {
+  using type =
+      next_by_way<modes_in<D, E>, Way, is_of_free_running<D, plan_of<modes_in<D, E>>.inputs[Way].writer>>;
 };
+template <class D, int I, int E, int Way>
+struct next_of_way<deployed_mode<D, I>, E, Way>
+    : next_of_shared_way<D, E, queues_of_mode<modes_in<D, E>, I>.ways[array_size(Way)]> {};
 
 // The number of a way that all environments know.
 template <class D, int E, int Way>
@@ -109,10 +112,12 @@ private:
   void fetch_gathered(std::int64_t end)
     requires(is_from_free)
   {
-    auto& from = static_cast<next_by_way<D, Way, true>&>(state);
-    const auto& ring = state.shared->template gathered<in.writer>();
+    auto& from = static_cast<typename next_of_way<D, E, Way>::type&>(state);
+    const auto& ring = state.shared->template gathered<writer>();
     typename std::remove_cvref_t<decltype(ring)>::sample one;
-    if (left-- <= 0 || !take(ring, from.gathered, end, one)) return;
+    do {
+      if (left-- <= 0 || !take(ring, from.gathered, end, one)) return;
+    } while (is_older(from, one.published_in));
     const auto number = static_cast<std::uint64_t>(one.vector[size]);
     if (from.gathered_number != from.unknown && number > from.gathered_number)
       lose(number - from.gathered_number);
@@ -160,7 +165,7 @@ private:
   }
 
   static constexpr int most_at_once = [] {
-    if constexpr (is_from_free) return 2 * (ring_type::capacity + gathered_capacity<D, in.writer>);
+    if constexpr (is_from_free) return 2 * (ring_type::capacity + gathered_capacity<whole_of<D>, writer>);
     else return 2 * ring_type::capacity;
   }();
 
@@ -190,7 +195,7 @@ private:
       skip(shared.template ring<shared_output_of<D, in.writer>>(), next.number, k - in.delay);
     if constexpr (is_of_free_running<D, in.writer>) {
       if (next.gathered_number > 0 || k == 0) return;
-      skip(shared.template gathered<in.writer>(), next.gathered, k - in.delay);
+      skip(shared.template gathered<shared_output_of<D, in.writer>>(), next.gathered, k - in.delay);
       next.gathered_number = next.unknown;
     }
   }

@@ -51,7 +51,7 @@ struct next_samples<D, E, std::integer_sequence<int, Arriving...>, std::integer_
     : next_arrival<D, Arriving>..., next_of_way<D, E, Way>::type... {};
 template <DeploymentOfModes D, int E, int... Arriving, int... Way>
 struct next_samples<D, E, std::integer_sequence<int, Arriving...>, std::integer_sequence<int, Way...>>
-    : next_arrival<D, Arriving>..., next_by_way<modes_in<D, E>, Way>... {};
+    : next_arrival<D, Arriving>..., next_of_shared_way<D, E, Way>::type... {};
 
 template <class D, int E>
 struct links_of_environment : next_samples<D, E>, time_of_cycles<is_free_running<D, E>> {

@@ -23,8 +23,8 @@ struct next_arrival<D, Output, true> : next_arrival<D, Output, false> {
 };
 
 // Of a set of modes: what was published before its component came is not read.
-template <DeploymentOfModes D, int Output, bool IsFree>
-struct next_arrival<D, Output, IsFree> {
+template <DeploymentOfModes D, int Output>
+struct next_arrival<D, Output, false> {
   std::uint64_t number = 0;
   std::int64_t newest = -1;
   std::int64_t not_before = 0;
@@ -83,7 +83,7 @@ void receive_samples(State& state,
   };
   if (state.is_exact) {
     if constexpr (is_of_free_running<D, Output>)  // of a run before, in a wall-clock run
-      take_all(shared.template arrived<Output>(), next.arrived, end);
+      take_all(shared.template arrived<shared_output>(), next.arrived, end);
     if (next.newest == end - 1) return;
     const std::uint64_t behind = ring.end_before(next.number, end);
     constexpr std::uint64_t shown =
@@ -96,7 +96,7 @@ void receive_samples(State& state,
   // A cycle reads what has come. In a beat arrives what a free-running environment has published before it.
   take_all(ring, next.number, is_free ? no_position : end);
   if constexpr (is_of_free_running<D, Output>)
-    take_all(shared.template arrived<Output>(), next.arrived, is_free ? no_position : end + 1);
+    take_all(shared.template arrived<shared_output>(), next.arrived, is_free ? no_position : end + 1);
 }
 
 }  // namespace cca::detail

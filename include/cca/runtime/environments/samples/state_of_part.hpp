@@ -12,6 +12,10 @@ struct told_for_others<part<D, 0>> {
   static constexpr bool holds(std::size_t o) { return leaves_freely<D>::holds(o); }
 };
 template <class D>
+struct told_for_others<modes_in<D, 0>> : told_for_others<part<D, 0>> {};
+template <class D>
+struct told_earlier<modes_in<D, 0>> : told_earlier<part<D, 0>> {};
+template <class D>
 struct told_earlier<part<D, 0>> {
   static constexpr int most(std::size_t o) { return gathered_in_a_beat<D>[o]; }
 };

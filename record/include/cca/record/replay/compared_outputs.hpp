@@ -1,4 +1,5 @@
-// In which order the outputs of a beat are compared, and how a sample looks in a message.
+// In which order the outputs of a beat are compared, how a sample looks in a message, and who asks for modes
+// beside what is computed.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/modes.hpp>
+#include <cca/graph/plan/deployment/part.hpp>
 #include <cca/graph/plan/modes/plan_of_modes.hpp>
 #include <cca/space/origin.hpp>
 
@@ -43,6 +45,18 @@ std::vector<std::vector<int>> orders_of_beats() {
   } else {
     return {outputs_in_order<Graph>([](int output) { return output; })};
   }
+}
+
+// Whether a component that a replay does not compute may ask for a mode: a resource node, or one that is
+// played.
+template <class Graph>
+bool are_modes_asked_beside(bool is_playing) {
+  for (const auto& call : cca::detail::plan_of<Graph>.calls)
+    if (call.function && call.function->requested_count > 0 &&
+        (call.phase != cca::detail::phase_of_beat::process ||
+         (is_playing && cca::detail::is_free_node<Graph>(call.node))))
+      return true;
+  return false;
 }
 
 inline std::string sample_text(std::int64_t origin, const std::int64_t* words_of, std::size_t size) {

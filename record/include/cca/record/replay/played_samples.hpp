@@ -67,6 +67,24 @@ template <class Graph>
 struct tap_of<replaying<Graph>> {
   using type = playing_tap<Graph>;
 };
+template <class Graph, int I>
+struct tap_of<cca::detail::mode_part<replaying<Graph>, I>> : tap_of<replaying<Graph>> {};
+
+// The number that all modes share.
+template <class Graph, int Output>
+inline constexpr int played_output = Output;
+template <class M, int I, int Output>
+inline constexpr int played_output<cca::detail::mode_part<M, I>, Output> =
+    cca::detail::shared_plan_of<M>
+        .view_of(cca::detail::shown_plan<cca::detail::mode_part<M, I>>, cca::detail::shown_plan<M>)
+        .shared_output(Output);
+
+// A resource node always does.
+template <class Component>
+bool plays(const Component& component) {
+  if constexpr (requires { component.plays(); }) return component.plays();
+  else return true;
+}
 
 }  // namespace cca::recording::detail
 
@@ -91,8 +109,10 @@ template <class Graph, int Output, int Input, class Vector>
 void play_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_t origin) {
   std::int64_t missing = 0;
   if constexpr (is_probed<Graph>) {
-    using tap = typename recording::detail::tap_of<typename as_planned<Graph>::type>::type;
-    auto& of_beat = static_cast<tap&>(*b.state.tap.get()).played[array_size(Output)];
+    using planned = typename as_planned<Graph>::type;
+    using tap = typename recording::detail::tap_of<planned>::type;
+    auto& of_beat = static_cast<tap&>(*b.state.tap.get())
+                        .played[array_size(recording::detail::played_output<planned, Output>)];
     missing = of_beat.missing;
     for (const auto& one : of_beat.earlier)
       play_one<Graph, Input>(b, std::exchange(missing, 0), Eigen::Map<const Vector>(one.coordinates.data()),
@@ -105,29 +125,41 @@ template <Deployment D, int Call>
   requires(has_free_running<D> && is_free_node<D>(call_of<D, Call>.node))
 struct played_call<recording::replaying<D>, Call> {
   static bool is_now(const auto& state) {
-    const auto& component = component_at<recording::replaying<D>, call_of<D, Call>.node>(state);
-    if constexpr (requires { component.plays(); }) return component.plays();
-    else return true;
+    return recording::detail::plays(component_at<recording::replaying<D>, call_of<D, Call>.node>(state));
+  }
+};
+template <DeploymentOfModes D, int I, int Call>
+  requires(is_free_node<deployed_mode<D, I>>(call_of<deployed_mode<D, I>, Call>.node))
+struct played_call<mode_part<recording::replaying<D>, I>, Call> {
+  static bool is_now(const auto& state) {
+    using whole = recording::replaying<D>;
+    return recording::detail::plays(
+        component_at<whole, shared_nodes<whole, I>[array_size(call_of<deployed_mode<D, I>, Call>.node)]>(
+            state));
   }
 };
 
-// What it took from a queue in this beat.
-template <Deployment D, int Output>
-  requires(has_free_running<D>)
-struct played_taken<recording::replaying<D>, Output> {
-  using graph = recording::replaying<D>;
-
+// What it took from a queue in this beat. `Key`: the graph, or a mode.
+template <class Key, int Output>
+struct played_taken_of {
   template <class Graph>
   static bool is_told([[maybe_unused]] const beat_context<Graph>& b) {
-    if (!played_call<graph, output_of<graph, Output>.call>::is_now(b.state)) return false;
+    if (!played_call<Key, output_of<Key, Output>.call>::is_now(b.state)) return false;
     if constexpr (is_probed<Graph>) {
-      using vector = Eigen::Matrix<double, size_of_output<graph, Output>, 1>;
-      const auto& tap = static_cast<typename recording::detail::tap_of<graph>::type&>(*b.state.tap.get());
-      for (const auto& one : tap.played[array_size(Output)].earlier)
+      using vector = Eigen::Matrix<double, size_of_output<Key, Output>, 1>;
+      const auto& tap = static_cast<typename recording::detail::tap_of<Key>::type&>(*b.state.tap.get());
+      for (const auto& one : tap.played[array_size(recording::detail::played_output<Key, Output>)].earlier)
         publish_taken<Graph, Output>(b, Eigen::Map<const vector>(one.coordinates.data()), one.origin);
     }
     return true;
   }
 };
+template <Deployment D, int Output>
+  requires(has_free_running<D>)
+struct played_taken<recording::replaying<D>, Output> : played_taken_of<recording::replaying<D>, Output> {};
+template <DeploymentOfModes D, int I, int Output>
+  requires(has_free_running<D>)
+struct played_taken<mode_part<recording::replaying<D>, I>, Output>
+    : played_taken_of<mode_part<recording::replaying<D>, I>, Output> {};
 
 }  // namespace cca::detail

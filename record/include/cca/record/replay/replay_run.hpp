@@ -134,7 +134,8 @@ private:
     } else if (e.kind == event_kind::mode) {
       mode_recorded = e.text;
       if constexpr (Modes<Graph>)
-        if (!e.requested) c.switch_to(e.text);
+        if (!e.requested || (c.mode() != e.text && are_modes_asked_beside<Graph>(is_playing)))
+          c.switch_to(e.text);
     } else if (e.kind == event_kind::part) {
       if (!e.requested || asks_a_resource_node(e.text)) set_part(e.text, e.stopped);
     } else if (e.kind == event_kind::freely) {

@@ -115,6 +115,24 @@ struct replaying_modes<cca::detail::list<mode<Name, Graph>...>> : modes<mode<Nam
 template <Modes M>
 struct replaying<M> : replaying_modes<typename M::cca_modes>, recordable {};
 
+// Of a deployment of modes each mode knows what runs freely.
+template <class Item, class Mode>
+struct replaying_mode;
+template <fixed_string Name, class Graph, class Mode>
+struct replaying_mode<mode<Name, Graph>, Mode> {
+  using type = mode<Name, replaying<Mode>>;
+};
+template <class D, class Numbers = std::make_integer_sequence<int, cca::detail::mode_count<D>>>
+struct replaying_deployed;
+template <class D, int... I>
+struct replaying_deployed<D, std::integer_sequence<int, I...>>
+    : modes<
+          typename replaying_mode<cca::detail::mode_item<D, I>, cca::detail::deployed_mode<D, I>>::type...> {
+};
+template <DeploymentOfModes D>
+  requires cca::detail::has_free_running<D>
+struct replaying<D> : replaying_deployed<D>, recordable {};
+
 }  // namespace cca::recording
 
 namespace cca::detail {

@@ -1,6 +1,5 @@
-// deployment.free_running: what runs in a free-running environment is full_speed, while it is started; and
-// the first environment, which gives the beat, is not free-running. In a
-// deployment of modes none is.
+// deployment.free_running: what runs in a free-running environment is full_speed, while it is started, in
+// each mode; and the first environment, which gives the beat, is not free-running.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -10,28 +9,14 @@ namespace cca::detail {
 struct deployment_free_running {
   static constexpr std::string_view id = "deployment.free_running";
 
-  static constexpr bool is_broken(when::finished_environment, const flat_view& g, finding& f) {
-    if (!g.environments[f.environment].is_free_running) return false;
-    if (f.environment == 0 || g.modes) return true;
-    for (int n = 0; n < g.node_count; ++n)
-      if (g.nodes[n].environment == f.environment && !is_full_speed(*g.nodes[n].item)) {
-        f.item = g.nodes[n].item;
-        f.scope = g.nodes[n].scope;
-        f.component = n;
-        return true;
-      }
-    return false;
+  static constexpr bool is_broken(when::stated_environment, const flat_view& g, const finding& f) {
+    return f.environment == 0 && g.environments[0].is_free_running;
+  }
+  static constexpr bool is_broken(when::free_node, const flat_view&, const finding& f) {
+    return !is_full_speed(*f.item);
   }
 
   static constexpr void tell(auto& m) {
-    if (m.g.modes) {
-      m.where << m.g.environments[m.found().environment].name;
-      m.environment(m.found().environment);
-      m.say() << " of " << m.deployment().name
-              << " is cca::free_running, but the environments of a set of modes switch in one beat, and its "
-                 "cycles are no beats: remove cca::free_running, or deploy one graph, and stop parts of it";
-      return;
-    }
     if (!m.found().item) {
       m.where << m.g.environments[0].name;
       m.environment(0);
@@ -42,6 +27,7 @@ struct deployment_free_running {
     }
     m.at_node();
     m.node();
+    m.of_mode();
     m.say() << " runs in ";
     m.environment(m.found().environment);
     m.say() << ", whose cycles begin without pause, but its strategy is ";

@@ -1,5 +1,5 @@
-// EXPECT: deployment\.free_running: environment `log` of split is cca::free_running, but the environments of a set of modes switch in one beat, and its cycles are no beats: remove cca::free_running, or deploy one graph, and stop parts of it
-// All environments of a set of modes switch in the same beat. The cycles of a free-running one are no beats.
+// EXPECT: deployment\.free_running: `recorder` \(recorder\) of mode `logged` runs in environment `log`, whose cycles begin without pause, but its strategy is restless: write cca::node<`recorder`, recorder, cca::full_speed>, or place it in another environment
+// In a deployment of modes the components of a free-running environment are full_speed in each mode.
 #include <cca/deployment.hpp>
 #include <cca/modes.hpp>
 
@@ -12,19 +12,18 @@ struct walk : cca::graph<cca::rate<1000>,
 struct logged : cca::graph<cca::rate<1000>,
                            cca::node<"oscillator", oscillator>,
                            cca::node<"gait", gait>,
+#if CCA_REJECT
+                           cca::node<"recorder", recorder>,
+#else
                            cca::node<"recorder", recorder, cca::full_speed>,
+#endif
                            cca::wire<"oscillator.phase", "gait.phase">,
-                           cca::wire<"gait.angles", "recorder.angles", cca::delayed<1>>> {};
+                           cca::wire<"gait.angles", "recorder.angles">> {
+};
 struct both : cca::modes<cca::mode<"walk", walk>, cca::mode<"logged", logged>> {};
 
 struct split : cca::deployment<both,
                                cca::environment<"control", cca::nodes<"oscillator", "gait">>,
-#if CCA_REJECT
-                               cca::environment<"log", cca::other_nodes, cca::free_running>
-#else
-                               cca::environment<"log", cca::other_nodes>
-#endif
-                               > {
-};
+                               cca::environment<"log", cca::other_nodes, cca::free_running>> {};
 
 cca::deployed<split> d;
