@@ -30,6 +30,12 @@ CCA_INLINE constexpr bool ticks(std::int64_t k) {
   else return k >= Clock.first && (k - Clock.first) % Clock.period == 0;
 }
 
+// Of a deployment: is it in a fast run? A replay knows what was recorded (record/replay/played_samples.hpp).
+template <class Graph>
+struct in_fast_run {
+  CCA_INLINE static bool is_now(const auto& b) { return b.state.is_exact; }
+};
+
 template <std::int64_t Period>
 struct firing {
   bool is_now = false;
@@ -140,7 +146,10 @@ private:
           typename strategy_or_default<typename types::strategy, (sizeof...(Position) > 0)>::type;
       const inputs_view<Graph, Call> inputs{b, at, own};
       bool is_now = false;
-      if constexpr (!std::is_empty_v<strategy>) {
+      if constexpr (c.fast_clock.known()) {
+        if (in_fast_run<typename as_planned<Graph>::type>::is_now(b)) is_now = ticks<c.fast_clock>(b.k);
+        else CCA_INLINE_CALL is_now = strategy{}.fires(beat_of<Graph, Call>(b.k, own), inputs);
+      } else if constexpr (!std::is_empty_v<strategy>) {
         strategy& kept = strategy_in<Graph, Call>(b.state);
         CCA_INLINE_CALL is_now = kept.fires(beat_of<Graph, Call>(b.k, own), inputs);
       } else {

@@ -67,6 +67,9 @@ struct call {
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
   bool elsewhere = false;    // runs in another environment
   bool irregular = false;    // of a free-running environment, in a wall-clock run
+  // Of a set of modes, where its samples come from a free-running environment: it fires by this clock in a
+  // fast run, and as its strategy says in a wall-clock run.
+  clock fast_clock = dynamic_clock;
   // Only in a set of modes (graph/plan/modes/share.hpp):
   bool unsteady = false;            // its clock is known, but another mode has another one, or lacks the node
   bool other_clocks = false;        // another mode has another one

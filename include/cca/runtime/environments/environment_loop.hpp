@@ -62,6 +62,7 @@ public:
     state.rings = others ? others->rings() : nullptr;
     state.courier = is_exact && others && others->works_in_environment() ? others : nullptr;
     if constexpr (is_free) skip_to(beat);  // as after the run before
+    [[maybe_unused]] const bool was_exact = state.is_exact;
     state.is_exact = is_exact;
     state.ahead = ahead;
     state.is_cut = false;
@@ -78,7 +79,8 @@ public:
     own().is_paused = false;
     announce();
     if (E == 0 && ahead == 0) state.move_to(position() - 1);  // when its pace lets it begin
-    if (has_free_running<D> && !is_exact) tell([this](loop_tap& tap) { tap.runs_freely(k); });
+    if (has_free_running<D> && (!is_exact || (DeploymentOfModes<D> && !was_exact)))
+      tell([&](loop_tap& tap) { tap.runs_freely(k, !is_exact); });
     if constexpr (is_free) exchanged.template results<E>().begin_run();
     this->begin_admission();
   }

@@ -117,10 +117,9 @@ public:
     message.add(k).add(std::string_view(of.parts[cca::detail::array_size(part)]).substr(0, 200));
     put({event_kind::part, -1, k}, message.add(std::uint8_t{stops}).add(std::uint8_t{requested}).view());
   }
-  void runs_freely(std::int64_t k) noexcept override {
+  void runs_freely(std::int64_t k, bool freely) noexcept override {
     cdr_writer message(scratch);
-    message.add(k);
-    put({event_kind::freely, -1, k}, message.view());
+    put({event_kind::freely, -1, k}, message.add(k).add(std::uint8_t{freely}).view());
   }
   void late(int from, std::int64_t k) noexcept override {
     cdr_writer message(scratch);

@@ -119,7 +119,8 @@ public:
       if (s.viewer_hz > 0) body.emplace(file, cca::detail::space_of_output<Graph>);
     if constexpr (cca::detail::has_free_running<Graph>) {
       freely = file.channel(freely_topic, "cca/msg/free_running",
-                            "int64 beat  # from which on they ran at wall-clock speed\n");
+                            "int64 beat  # from which on they ran at wall-clock speed\n"
+                            "bool freely  # false: or in a fast run again\n");
       dropped = file.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n");
     }
     if (!of.modes.empty())

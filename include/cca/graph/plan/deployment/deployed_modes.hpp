@@ -109,7 +109,8 @@ struct diagnosed<D> : diagnosed_deployment<D, broken_by<typename D::cca_architec
 // ---- an environment as a set of modes ----
 
 // The part of an environment, before it stores what other modes need. It fires by the clocks of the whole,
-// as one loop does after a switch.
+// as one loop does after a switch. In a wall-clock run nobody knows when a free-running environment publishes:
+// there what depends on it asks its strategy.
 template <class D, int E>
 struct own_part : marks_of<D> {
   using cca_items = typename D::cca_items;
@@ -128,11 +129,25 @@ constexpr flat_view keep_clocks(flat_view g) {
     if (g.calls[c].elsewhere) g.calls[c].fires = g.calls[c].own_clock = dynamic_clock;
   return g;
 }
+// `D`: a mode. But for those that run freely themselves: in each cycle they fire.
+template <class D>
+constexpr flat_view keep_fast_clocks(flat_view g) {
+  if constexpr (has_free_running<D>)
+    for (int c = 0; c < g.call_count; ++c) {
+      auto& one = g.calls[c];
+      if (is_free_node<D>(one.node) || !one.own_clock.known() ||
+          plan_at_wall_clock<D>.calls[array_size(c)].own_clock.known())
+        continue;
+      one.fast_clock = one.own_clock;
+      one.fires = one.own_clock = dynamic_clock;
+    }
+  return g;
+}
 template <class D, int E>
 inline constexpr flat_of<own_part<D, E>> plan_of<own_part<D, E>> =
     then<own_part<D, E>>(plan_of<D>, [](flat_view g) {
       g.calls_in_part = calls_in_part<D>;
-      return choose_storage(keep_clocks(take_part(g, E)));
+      return choose_storage(keep_fast_clocks<D>(keep_clocks(take_part(g, E))));
     });
 
 template <class D, int E>

@@ -57,7 +57,7 @@ struct is_kept_by_whole {
     const output& out = own.outputs[o];
     return environment_of(g, out.call) == E &&
            (out.storage == storage_kind::past || out.storage == storage_kind::newest) &&
-           published(g, g.outputs[o]).known() && stored_clock(own.view(), out).dynamic();
+           published(g, g.outputs[o]).known() && published(own.view(), out).dynamic();
   }
 };
 // `index`: the beat, as the loop of the environment counts it.
@@ -74,15 +74,13 @@ void repeat_publications([[maybe_unused]] State& state,
   }(chosen<counts_of<D>.output_count, is_kept_by_whole<D, E>>{});
 }
 
-// In a deployment of modes the clocks of a part are those of the whole.
+// In a deployment of modes a part fires by the clocks of the whole.
 template <class D, int E, class State>
 void repeat_by_whole([[maybe_unused]] State& state,
                      [[maybe_unused]] std::int64_t beat,
                      [[maybe_unused]] std::int64_t index) {
-  if constexpr (!DeployedMode<D>) {
-    repeat_firings<D, E>(state, beat);
-    repeat_publications<D, E>(state, beat, index);
-  }
+  if constexpr (!DeployedMode<D>) repeat_firings<D, E>(state, beat);
+  repeat_publications<D, E>(state, beat, index);
 }
 
 }  // namespace cca::detail

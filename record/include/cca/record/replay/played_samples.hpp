@@ -59,6 +59,7 @@ struct playing_tap : cca::detail::beat_tap<replaying<Graph>> {
 
   std::array<played_samples, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)>
       played{};
+  bool is_fast = true;  // the run that was recorded
 };
 
 template <class Graph>
@@ -136,6 +137,16 @@ struct played_call<mode_part<recording::replaying<D>, I>, Call> {
     return recording::detail::plays(
         component_at<whole, shared_nodes<whole, I>[array_size(call_of<deployed_mode<D, I>, Call>.node)]>(
             state));
+  }
+};
+
+template <DeploymentOfModes D, int I>
+struct in_fast_run<mode_part<recording::replaying<D>, I>> {
+  template <class Graph>
+  static bool is_now([[maybe_unused]] const beat_context<Graph>& b) {
+    if constexpr (is_probed<Graph>)
+      return static_cast<recording::detail::playing_tap<D>&>(*b.state.tap.get()).is_fast;
+    else return true;
   }
 };
 

@@ -34,6 +34,7 @@ struct recorded_event {
   std::string component{};  // of a fault; of late samples the environment that they come from
   bool requested = false;   // a mode or a part, by a component
   bool stopped = false;     // a part
+  bool freely = false;      // from here on a wall-clock run
   std::vector<unsigned char> parameters{};
 };
 struct recorded_item {
@@ -214,7 +215,10 @@ private:
              : use.what == use_kind::freely ? event_kind::freely
              : use.what == use_kind::late   ? event_kind::late
                                             : event_kind::skipped;
-    if (e.kind == event_kind::freely) return from.is_at_end();
+    if (e.kind == event_kind::freely) {
+      e.freely = from.is_at_end() || from.number<std::uint8_t>() != 0;  // older files don't say it
+      return from.is_at_end();
+    }
     if (e.kind == event_kind::skipped) from.number<std::int64_t>();
     if (e.kind == event_kind::fault) e.component = from.text();
     e.text = from.text();

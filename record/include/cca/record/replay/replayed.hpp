@@ -159,12 +159,17 @@ struct node_types<recording::replaying<Graph>, Node> {
   using strategy = typename node_types<Graph, Node>::strategy;
 };
 
-// A replay does not know in which beats the samples of a free-running environment will arrive.
+// A replay does not know in which beats the samples of a free-running environment will arrive. Of a set of
+// modes what reads them fires by its clock while a fast run is replayed, as it did.
 template <Deployment D>
   requires has_free_running<D>
 inline constexpr flat_of<recording::replaying<D>> plan_of<recording::replaying<D>> =
     then<recording::replaying<D>>(finished<recording::replaying<D>>(), [](flat_view g) {
-      for (int c = 0; c < g.call_count; ++c) g.calls[c].irregular = is_free_node<D>(g.calls[c].node);
+      for (int c = 0; c < g.call_count; ++c) {
+        auto& one = g.calls[c];
+        one.irregular = is_free_node<D>(one.node);
+        if (DeployedMode<D> && !one.irregular) one.fast_clock = one.own_clock;
+      }
       for (int i = 0; i < g.input_count; ++i) g.inputs[i].in_beat = g.inputs[i].own_initial = false;
       for (int o = 0; o < g.output_count; ++o) {
         auto& out = g.outputs[o];
@@ -173,7 +178,10 @@ inline constexpr flat_of<recording::replaying<D>> plan_of<recording::replaying<D
         out.depth = 0;
         out.initial_of = nullptr;
       }
-      return choose_storage(find_clocks(g));
+      g = find_clocks(g);
+      for (int c = 0; c < g.call_count; ++c)
+        if (g.calls[c].own_clock.known()) g.calls[c].fast_clock = dynamic_clock;
+      return choose_storage(g);
     });
 
 }  // namespace cca::detail
