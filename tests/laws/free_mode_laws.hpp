@@ -64,10 +64,11 @@ void has_the_bits_of_one_loop() {
   CHECK_EQ(mind.said(), told<D>(loop, 2));
 }
 
-// In a wall-clock run the results of cycles that began in an old mode come as they do in one process.
+// In a wall-clock run the results of cycles that began in an old mode come as they do in one process, and
+// what reads them fires when they come.
 template <class Meeting>
 void results_of_an_old_mode() {
-  using D = turning<>;
+  using D = turning_apart;
   const std::string name = Meeting::other_name();
   const cycles_of slow(9'000);
   process eyes([&] {
@@ -76,6 +77,12 @@ void results_of_an_old_mode() {
     d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
     return d.get<"aims_left">().all.size() > 5 ? std::string() : std::string("few cycles");
   });
+  process mind([&] {
+    cca::deployed<D> d(cca::only{"mind"}, Meeting::transport(name));
+    begin(d);
+    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    return complaint_about_firings(d);
+  });
   process robot([&] {
     cca::deployed<D> d(cca::only{"robot"}, Meeting::transport(name));
     begin(d);
@@ -83,6 +90,7 @@ void results_of_an_old_mode() {
     return complaint_about(d.get<"reader">()) + std::string(d.fault() ? d.fault().reason() : "");
   });
   CHECK_EQ(robot.said(), "");
+  CHECK_EQ(mind.said(), "");
   CHECK_EQ(eyes.said(), "");
 }
 

@@ -11,7 +11,7 @@
 namespace free_modes {
 
 using namespace modes_test;
-using free_cycles::cycle_in_us, free_cycles::cycles_of, free_cycles::take_time;
+using free_cycles::cycle_hangs, free_cycles::cycle_in_us, free_cycles::cycles_of, free_cycles::take_time;
 
 // Takes its time.
 struct eyes : noting<1> {
@@ -178,12 +178,21 @@ struct reader {
   }
 };
 
+// `sees`, `aimed` and `both` have a clock in a fast run. In a wall-clock run they fire by what arrives:
+// `sees` by what is in both modes, `aimed` by what is in one.
 struct left : cca::graph<cca::rate<1000>,
                          cca::node<"robot", robot>,
                          cca::node<"turns_right", turns<"right">>,
                          cca::node<"eyes", slow_eyes, cca::full_speed>,
                          cca::node<"aims_left", aiming<"right">, cca::full_speed>,
                          cca::node<"reader", reader, cca::timed<1>>,
+                         cca::node<"sees", noting<21>>,
+                         cca::node<"aimed", noting<22>>,
+                         cca::node<"both", pair, cca::moderate>,
+                         cca::wire<"eyes.y", "sees.x">,
+                         cca::wire<"aims_left.y", "aimed.x", cca::delayed<1>>,
+                         cca::wire<"sees.y", "both.a">,
+                         cca::wire<"aimed.y", "both.b">,
                          cca::wire<"robot.y", "eyes.x">,
                          cca::wire<"eyes.y", "aims_left.x">,
                          cca::wire<"eyes.y", "reader.eyes">,
@@ -196,6 +205,15 @@ struct right : cca::graph<cca::rate<1000>,
                           cca::node<"eyes", slow_eyes, cca::full_speed>,
                           cca::node<"aims_right", aiming<"left">, cca::full_speed>,
                           cca::node<"reader", reader, cca::timed<1>>,
+                          cca::node<"sees", noting<21>>,
+                          cca::node<"aimed", noting<22>>,
+                          cca::node<"both", pair, cca::moderate>,
+                          cca::node<"counts", noting<23>>,
+                          cca::wire<"eyes.y", "sees.x">,
+                          cca::wire<"aims_right.y", "aimed.x">,
+                          cca::wire<"sees.y", "both.a", cca::delayed<1>>,
+                          cca::wire<"aimed.y", "both.b">,
+                          cca::wire<"aims_right.y", "counts.x", cca::delayed<2>>,
                           cca::wire<"robot.y", "eyes.x">,
                           cca::wire<"eyes.y", "aims_right.x", cca::delayed<1>>,
                           cca::wire<"eyes.y", "reader.eyes">,
@@ -207,10 +225,20 @@ struct both_sides : cca::modes<cca::mode<"left", left>, cca::mode<"right", right
 // All but the eyes is in the environment that gives the beat, so nothing can be late.
 template <class... Options>
 struct turning
-    : cca::deployment<both_sides,
-                      cca::environment<"robot", cca::nodes<"robot", "turns_right", "turns_left", "reader">>,
-                      cca::environment<"eyes", cca::other_nodes, cca::free_running>,
-                      Options...> {};
+    : cca::deployment<
+          both_sides,
+          cca::environment<"robot", cca::other_nodes>,
+          cca::environment<"eyes", cca::nodes<"eyes", "aims_left", "aims_right">, cca::free_running>,
+          Options...> {};
+
+// What fires by what arrives is in another environment.
+struct turning_apart
+    : cca::deployment<
+          both_sides,
+          cca::environment<"robot", cca::other_nodes>,
+          cca::environment<"eyes", cca::nodes<"eyes", "aims_left", "aims_right">, cca::free_running>,
+          cca::environment<"mind", cca::nodes<"sees", "aimed", "both", "counts">>,
+          cca::tolerate<100>> {};
 
 // What has come from cycles that began before the mode: of the eyes, which both modes have, it counts; of
 // what only one mode has nothing comes. In cycles of many beats.
@@ -220,6 +248,30 @@ inline std::string complaint_about(const reader& r) {
   };
   if (r.eyes.old > 0 && r.aim.old == 0 && r.queue.old == 0 && r.aim.fresh > 0 && r.queue.fresh > 0) return "";
   return text("eyes", r.eyes) + text("aim", r.aim) + text("queue", r.queue);
+}
+
+// Of one that fires by what arrives: how often it did, and how often without a sample.
+struct firings {
+  std::size_t all = 0, without = 0;
+  explicit firings(const journal& j) {
+    for (const seen& one : j.all)
+      if (one.beat >= 0) ++all, without += !one.fresh || one.origin < 0;
+  }
+};
+
+template <class Played>
+std::string complaint_about_firings(const Played& d) {
+  std::string text;
+  const auto look = [&](const char* name, const journal& j, std::size_t least) {
+    const firings of(j);
+    if (of.without > 0 || of.all < least)
+      text += std::string(name) + " fired " + std::to_string(of.all) + " times, " +
+              std::to_string(of.without) + " without a sample; ";
+  };
+  look("sees", d.template get<"sees">(), 5);
+  look("aimed", d.template get<"aimed">(), 3);
+  look("counts", d.template get<"counts">(), 0);
+  return text;
 }
 
 template <class F>

@@ -140,6 +140,93 @@ TEST_SUITE("deployed free-running modes") {
     CHECK_EQ(d.get<"reader">().queue.old, 0);
   }
 
+  TEST_CASE("in a wall-clock run what has a clock in a fast run fires by what arrives") {
+    const cycles_of slow(9'000);
+    cca::deployed<turning<>> d;
+    begin(d);
+    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    REQUIRE_EQ(d.state(), cca::state::started);
+    const firings sees(d.get<"sees">()), aimed(d.get<"aimed">()), counts(d.get<"counts">());
+    CHECK_EQ(sees.without, 0);
+    CHECK_EQ(aimed.without, 0);
+    CHECK_EQ(counts.without, 0);
+    CHECK_GT(sees.all, 5);
+    CHECK_GT(aimed.all, 2);
+    CHECK_LE(sees.all, d.get<"eyes">().all.size());
+    CHECK_LE(aimed.all, d.get<"aims_left">().all.size() + d.get<"aims_right">().all.size());
+    for (const seen& one : d.get<"both">().all) CHECK_GE(one.origin, 0);
+    // In a fast run the clock holds again.
+    cycle_in_us = 0;
+    d.run(cca::for_beats<50>{});
+    CHECK_EQ(firings(d.get<"sees">()).all, sees.all + 50);
+    d.run(cca::for_beats<20>{}, cca::at_speed(0.5));
+    CHECK_EQ(firings(d.get<"sees">()).without, 0);
+  }
+
+  TEST_CASE("... also in another environment") {
+    const cycles_of slow(9'000);
+    cca::deployed<turning_apart> d;
+    begin(d);
+    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    CHECK_FALSE(d.fault());
+    CHECK_EQ(complaint_about_firings(d), "");
+  }
+
+  TEST_CASE_TEMPLATE("in a fast run it fires by its clock, as in one loop", D, turning<>, turning_apart) {
+    cca::controller<both_sides> loop;
+    cca::deployed<D> d;
+    begin(loop);
+    begin(d);
+    for (const std::int64_t beats : {60, 1, 7, 30}) {
+      loop.run(cca::for_some_beats{beats});
+      d.run(cca::for_some_beats{beats});
+    }
+    const auto same = [&](const char* path, const journal& a, const journal& b) {
+      CAPTURE(path);
+      CHECK(a.all == b.all);
+    };
+    same("sees", loop.get<"sees">(), d.template get<"sees">());
+    same("aimed", loop.get<"aimed">(), d.template get<"aimed">());
+    same("both", loop.get<"both">(), d.template get<"both">());
+    same("counts", loop.get<"counts">(), d.template get<"counts">());
+    same("aims_right", loop.get<"aims_right">(), d.template get<"aims_right">());
+  }
+
+  TEST_CASE("a free-running component hangs: all others switch, and its result comes if its mode has it") {
+    const cycles_of quick(500);
+    cca::deployed<turning<>> d;
+    begin(d);
+    std::size_t before = 0, while_hanging = 0, switches = 0;
+    std::string mode(d.mode());
+    d.run(cca::for_beats<400>{}, cca::at_speed(0.5), [&](auto& now) {
+      const auto beat = now.beat_index();
+      if (beat == 100) cycle_hangs = true;
+      if (beat == 150) before = firings(now.template get<"sees">()).all;
+      if (beat > 150 && beat < 300 && now.mode() != mode) ++switches, mode = now.mode();
+      if (beat == 300) {
+        while_hanging = firings(now.template get<"sees">()).all - before;
+        cycle_hangs = false;
+      }
+      return true;
+    });
+    CHECK_FALSE(d.fault());
+    CHECK_EQ(d.beat_index(), 400);
+    CHECK_EQ(d.overruns(), d.figures()[0].overruns);
+    CHECK_GT(before, 20);
+    CHECK_EQ(while_hanging, 0);
+    CHECK_GE(switches, 15);
+    const firings sees(d.get<"sees">()), aimed(d.get<"aimed">()), counts(d.get<"counts">());
+    CHECK_GT(counts.all, 20);
+    CHECK_EQ(counts.without, 0);
+    CHECK_GT(sees.all, before + 20);  // afterwards it goes on
+    CHECK_EQ(sees.without, 0);
+    CHECK_EQ(aimed.without, 0);
+    CHECK_GT(aimed.all, 20);
+    CHECK_EQ(d.get<"reader">().aim.old, 0);
+    CHECK_EQ(d.get<"reader">().queue.old, 0);
+    CHECK_GE(d.get<"reader">().eyes.old, 1);  // that of the cycle which hung
+  }
+
   TEST_CASE("in a wall-clock run with cycles shorter than a beat, all come and none is lost") {
     cca::deployed<turning<>> d;
     begin(d);

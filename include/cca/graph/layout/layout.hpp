@@ -240,10 +240,10 @@ struct layout_step {
   }
 
   constexpr std::uint64_t key_of(const call& c, int result) const {
-    std::uint64_t key = mixed(
-        item_of_call(g, c).strategy_key, to.components[c.node].array, c.phase, c.own_clock.period,
-        c.own_clock.first, c.unsteady | c.other_clocks << 1 | c.may_miss << 2, result, g.nodes[c.node].part,
-        c.fast_clock.period, c.fast_clock.first);
+    std::uint64_t key =
+        mixed(item_of_call(g, c).strategy_key, to.components[c.node].array, c.phase, c.own_clock.period,
+              c.own_clock.first, c.unsteady | c.other_clocks << 1 | c.may_miss << 2, result,
+              g.nodes[c.node].part, c.fast_clock.period, c.fast_clock.first);
     for (int i = c.first_input; i < c.first_input + c.function->input_count; ++i)
       key = mixed(key, to.input_twin[i]);
     for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)

@@ -109,8 +109,8 @@ struct diagnosed<D> : diagnosed_deployment<D, broken_by<typename D::cca_architec
 // ---- an environment as a set of modes ----
 
 // The part of an environment, before it stores what other modes need. It fires by the clocks of the whole,
-// as one loop does after a switch. In a wall-clock run nobody knows when a free-running environment publishes:
-// there what depends on it asks its strategy.
+// as one loop does after a switch. In a wall-clock run nobody knows when a free-running environment
+// publishes: there what depends on it asks its strategy.
 template <class D, int E>
 struct own_part : marks_of<D> {
   using cca_items = typename D::cca_items;
