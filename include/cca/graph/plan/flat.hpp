@@ -274,6 +274,16 @@ constexpr void for_each_way(const flat_view& g, int input_index, F f) {
 // What comes by this way waits until it arrives, before it enters the queue.
 constexpr bool is_on_the_way(const input& i) { return i.queue >= 0 && i.delay > 0; }
 
+// Of a deployment; else -1.
+constexpr int environment_of(const flat_view& g, int call) { return g.nodes[g.calls[call].node].environment; }
+
+// A way into a queue of which something is kept between two beats: what has not arrived, or how much of
+// what another environment publishes has been taken.
+constexpr bool is_kept_way(const flat_view& g, const input& in) {
+  return is_queued(in) && in.writer >= 0 &&
+         (in.delay > 0 || environment_of(g, in.call) != environment_of(g, g.outputs[in.writer].call));
+}
+
 // Do two wires state the same initial value for an input of so many numbers, or both none?
 constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
   const bool has_a = a && a->initial, has_b = b && b->initial;

@@ -62,7 +62,6 @@ public:
     state.rings = others ? others->rings() : nullptr;
     state.courier = is_exact && others && others->works_in_environment() ? others : nullptr;
     if constexpr (is_free) skip_to(beat);  // as after the run before
-    [[maybe_unused]] const bool was_exact = state.is_exact;
     state.is_exact = is_exact;
     state.ahead = ahead;
     state.is_cut = false;
@@ -79,7 +78,7 @@ public:
     own().is_paused = false;
     announce();
     if (E == 0 && ahead == 0) state.move_to(position() - 1);  // when its pace lets it begin
-    if (has_free_running<D> && (!is_exact || (DeploymentOfModes<D> && !was_exact)))
+    if (has_free_running<D> && (!is_exact || DeploymentOfModes<D>))
       tell([&](loop_tap& tap) { tap.runs_freely(k, !is_exact); });
     if constexpr (is_free) exchanged.template results<E>().begin_run();
     this->begin_admission();
@@ -188,10 +187,6 @@ public:
   // When its last beat began, or when it idled last.
   std::int64_t last_active() const noexcept { return active_at; }
 
-  // Beat k was cut.
-  void settle_queues(std::int64_t beat) {
-    this->in_mode([&]<class Part>() { this->template links_in<Part>().settle_queues(beat); });
-  }
   // Goes on with beat `next`: those in between count as done, also where a fault has cut the last.
   void skip_to(std::int64_t next) {
     if constexpr (is_free)

@@ -85,7 +85,7 @@ inline constexpr auto queues_of_mode = [] {
     const int number = static_cast<int>(i);
     if (is_queued(in) && in.way_of < 0)
       numbers.queues[i] = sharing::find_queue(view_of_mode<M, I>, number, shown_plan<M>);
-    if (sharing::is_kept_way(shown_plan<mode_key<M, I>>, in))
+    if (is_kept_way(shown_plan<mode_key<M, I>>, in))
       numbers.ways[i] = sharing::find_way(view_of_mode<M, I>, number, shown_plan<M>);
   }
   return numbers;

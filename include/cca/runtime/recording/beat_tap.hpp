@@ -45,7 +45,7 @@ public:
   // From beat k on a part rests, or runs again. `requested`: a component asked for it.
   virtual void part_changed(int /*part*/, bool /*stops*/, bool /*requested*/, std::int64_t /*k*/) noexcept {}
   // Of a deployment: from beat k on its free-running environments run freely, in a wall-clock run. Of one of
-  // modes also: they do so no longer.
+  // modes also: not so, in a fast run.
   virtual void runs_freely(std::int64_t /*k*/, bool /*freely*/) noexcept {}
   // Of an environment: beat k began without the samples of another one; `count` beats from k on do not run,
   // because of the clock or of a fault.

@@ -118,6 +118,8 @@ public:
     put({event_kind::part, -1, k}, message.add(std::uint8_t{stops}).add(std::uint8_t{requested}).view());
   }
   void runs_freely(std::int64_t k, bool freely) noexcept override {
+    if (!freely && !ran_freely) return;
+    ran_freely = freely;
     cdr_writer message(scratch);
     put({event_kind::freely, -1, k}, message.add(k).add(std::uint8_t{freely}).view());
   }
@@ -219,6 +221,7 @@ private:
   int environment;
   std::vector<std::vector<unsigned char>> told;  // of each node
   std::vector<unsigned char> scratch;
+  bool ran_freely = false;
   event_ring events{1 << 20};
   bool is_gone = false;
 

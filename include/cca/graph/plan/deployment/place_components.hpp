@@ -10,8 +10,6 @@
 
 namespace cca::detail {
 
-constexpr int environment_of(const flat_view& g, int call) { return g.nodes[g.calls[call].node].environment; }
-
 // Calls f(environment, delay) for each reader of an output.
 template <class F>
 constexpr void for_each_reader(const flat_view& g, int output, F f) {

@@ -196,13 +196,6 @@ struct sharing {
     own.modes |= bit_of(mode);
   }
 
-  // A way into a queue of which something is kept between two beats: what has not arrived, or how much of
-  // what another environment publishes has been taken.
-  static constexpr bool is_kept_way(const flat_view& g, const input& in) {
-    if (!is_queued(in) || in.writer < 0) return false;
-    const auto environment_of = [&](int call) { return g.nodes[g.calls[call].node].environment; };
-    return in.delay > 0 || environment_of(in.call) != environment_of(g.outputs[in.writer].call);
-  }
   // Several wires may lead into its queue, other ones in another mode.
   static constexpr bool is_for_many(const input& in) { return in.wire->policy == policy_kind::merged; }
 

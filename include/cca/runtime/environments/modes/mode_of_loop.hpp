@@ -32,6 +32,8 @@ public:
     f.template operator()<part<D, E>>();
   }
   static constexpr bool has_part_now(int) { return true; }
+  // Beat k was cut.
+  void settle_queues(std::int64_t k) { loop().state.settle_queues(k); }
 
 protected:
   // The links, with the functions of a mode.
@@ -68,6 +70,9 @@ public:
   template <class F>
   void in_mode(F f) const {
     in_some_mode(loop().state.active, f);
+  }
+  void settle_queues(std::int64_t k) {
+    in_mode([&]<class Part>() { links_in<Part>().settle_queues(k); });
   }
   int mode() const noexcept { return loop().state.active; }
   std::int64_t switches() const noexcept { return switched; }

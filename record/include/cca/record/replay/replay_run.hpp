@@ -139,8 +139,7 @@ private:
     } else if (e.kind == event_kind::part) {
       if (!e.requested || asks_a_resource_node(e.text)) set_part(e.text, e.stopped);
     } else if (e.kind == event_kind::freely) {
-      this->is_fast = !e.freely;
-      if (e.freely) play_from_now();
+      if (this->is_fast = !e.freely; e.freely) play_from_now();
     } else if (e.kind == event_kind::late) {
       differs_by_clock("the samples of `" + e.component + "` had not come to `" + e.text + "`");
     } else if (e.kind == event_kind::skipped) {
