@@ -1,6 +1,5 @@
-// All modes of a set together, as one flat graph without an order: each component once, however many modes
-// have it, with the outputs and queues that outlive a beat in any of them. A node of a mode is found by its
-// path.
+// All modes of a set together, as one flat graph without an order: each component once, with the outputs and
+// queues that outlive a beat in any mode. A node of a mode is found by its path.
 //
 // A component that not all modes have, or that fires at other beats in another mode, is unsteady: its clock
 // does not tell when it fired before the switch, so this is kept at run time.
