@@ -8,6 +8,9 @@
 //              environments have them in time. Only for what more than one environment has, or what another
 //              process runs.
 //
+// What comes late does not undo what was asked for later: all environments end with the same, whenever each
+// of them hears of it.
+//
 // In beats that end by a fault nothing is asked. Errors: none. Cost: only environments that ask, or are
 // asked, know of it.
 #pragma once
@@ -96,6 +99,7 @@ public:
     };
     (forget_one(requests<From>(shared), taken[From]), ...);
     (forget_one(orders<Ordering>(shared), obeyed[Ordering]), ...);
+    newest = {};
   }
 
 private:
@@ -135,11 +139,22 @@ private:
       for (int p = 0; p < counts_of<D>.part_count; ++p) {
         int& asked = state.parts[array_size(p)].asked;
         const int wanted = static_cast<int>(one.vector[p]);
-        if (has_part<D, E>(p) && std::abs(wanted) > std::abs(asked)) asked = wanted;
+        if (has_part<D, E>(p) && std::abs(wanted) > std::abs(asked) && is_newest(p, beat, std::abs(wanted)))
+          asked = wanted;
       }
-    if constexpr (DeploymentOfModes<D>)
-      state.join_request(static_cast<int>(one.vector[counts_of<D>.part_count]),
-                         static_cast<int>(one.vector[counts_of<D>.part_count + 1]));
+    if constexpr (DeploymentOfModes<D>) {
+      const int place = static_cast<int>(one.vector[counts_of<D>.part_count]);
+      const int mode = static_cast<int>(one.vector[counts_of<D>.part_count + 1]);
+      if (mode >= 0 && is_newest(counts_of<D>.part_count, beat, place)) state.join_request(place, mode);
+    }
+  }
+  // Of what is asked for one part, or for the mode (`what`): nothing of a later beat, or of a later call of
+  // this one, has been obeyed.
+  bool is_newest(int what, std::int64_t beat, int place) noexcept {
+    asked_in& last = newest[array_size(what)];
+    if (beat < last.beat || (beat == last.beat && place < last.place)) return false;
+    last = {beat, place};
+    return true;
   }
   // Those for one beat. One that comes after this beat has begun here is late.
   template <int X, class Loop>
@@ -156,11 +171,21 @@ private:
       const int which = static_cast<int>(one.vector[1]);
       if (what == ordered::mode ? !may_switch : !has_part<D, E>(which)) continue;
       if (is_late) loop.count_late_order(X);
+      if (!is_newest(what == ordered::mode ? counts_of<D>.part_count : which, one.published_in,
+                     after_calls + X))
+        continue;
       loop.make_ordered(what, which, next);
     }
   }
 
+  struct asked_in {
+    std::int64_t beat = -1;
+    int place = 0;
+  };
+  static constexpr int after_calls = 1 << 20;  // an order comes after all calls of its beat
+
   std::array<std::uint64_t, array_size(environment_count<D>)> taken{}, obeyed{};
+  std::array<asked_in, array_size(counts_of<D>.part_count + 1)> newest{};  // of each part, and of the mode
   std::int64_t known = 0;  // the first beat that a request can still change: those before have begun
 };
 
