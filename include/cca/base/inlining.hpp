@@ -77,6 +77,10 @@ inline constexpr bool copies_in_pieces = false;
 #endif
 
 #if defined(__clang__)
+template <auto Function>
+inline auto simplified_first() {
+  return Function;
+}
 template <class Function, class... Arguments>
 inline void call_through(Function* function, const Arguments&... arguments) {
   function(arguments...);
@@ -86,6 +90,10 @@ CCA_INLINE void call_simplified(const Arguments&... arguments) {
   call_through(Function, arguments...);
 }
 #else
+template <auto Function>
+constexpr auto simplified_first() {
+  return Function;
+}
 template <auto* Function, class... Arguments>
 CCA_INLINE void call_simplified(const Arguments&... arguments) {
   Function(arguments...);

@@ -223,15 +223,15 @@ private:
     [[maybe_unused]] const beat time = beat_of_seconds::make(this_beat(), period, now.dt);
     auto& self = component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
     if constexpr (c.phase == phase_of_beat::process)
-      CCA_INLINE_CALL return self.process(
+      CCA_INLINE_CALL return (self.*simplified_first<&component::process>())(
           argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
               b, source(ports::input_of_parameter[I]), time, now.last)...);
     else if constexpr (c.phase == phase_of_beat::sense)
-      CCA_INLINE_CALL return self.sense(
+      CCA_INLINE_CALL return (self.*simplified_first<&component::sense>())(
           argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
               b, source(ports::input_of_parameter[I]), time, now.last)...);
     else
-      CCA_INLINE_CALL return self.act(
+      CCA_INLINE_CALL return (self.*simplified_first<&component::act>())(
           argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
               b, source(ports::input_of_parameter[I]), time, now.last)...);
   }

@@ -57,7 +57,8 @@ struct input_reader {
     }
   }
   static constexpr bool is_never_null =
-      kind == storage_kind::of_beat || (kind == storage_kind::newest && !shows_own_initial);
+      kind == storage_kind::of_beat ||
+      ((kind == storage_kind::newest || kind == storage_kind::past) && !shows_own_initial);
 
   CCA_INLINE static std::int64_t origin(const beat_context<Graph>& b, int index) {
     if constexpr (kind == storage_kind::none) {

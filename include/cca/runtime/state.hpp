@@ -93,9 +93,10 @@ struct stored_array {
   typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
 };
 
-// The newest samples begin with what their first reader sees before there is one.
-template <class Graph, int Array>
-struct stored_array<Graph, Array, storage_kind::newest> {
+// The newest and the past samples begin with what their first reader sees before there is one.
+template <class Graph, int Array, storage_kind Kind>
+  requires(Kind == storage_kind::newest || Kind == storage_kind::past)
+struct stored_array<Graph, Array, Kind> {
   typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
 
   stored_array() {
@@ -106,7 +107,7 @@ struct stored_array<Graph, Array, storage_kind::newest> {
       const auto& out = plan.outputs[o];
       const auto& space = *port_of(plan.calls[static_cast<std::size_t>(out.call)], out).space;
       for (int c = 0; c < array_of<Graph, Array>.size; ++c)
-        all[at.index].vector()[c] = initial_coordinate(out.initial_of, space, c);
+        all[at.index].begin_with(c, initial_coordinate(out.initial_of, space, c));
     }
   }
 };

@@ -15,9 +15,11 @@ namespace detail {
 
 // A sample made of two others takes the older origin; an initial value doesn't count.
 constexpr std::int64_t older(std::int64_t a, std::int64_t b) {
-  if (a == never) return b;
-  if (b == never) return a;
-  return a < b ? a : b;
+  // Without a branch: as unsigned numbers, `never` is the largest.
+  const auto rank = [](std::int64_t t) {
+    return static_cast<std::uint64_t>(t) - static_cast<std::uint64_t>(never) - 1;
+  };
+  return rank(a) < rank(b) ? a : b;
 }
 
 }  // namespace detail

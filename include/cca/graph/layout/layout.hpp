@@ -213,7 +213,6 @@ struct layout_step {
   // Can it show an initial value that is not the stored sample's?
   constexpr bool shows_initial(const input& in) const {
     return in.writer < 0 || in.queue >= 0 || in.own_initial ||
-           g.outputs[in.writer].storage == storage_kind::past ||
            g.outputs[in.writer].storage == storage_kind::arriving;
   }
 

@@ -257,10 +257,11 @@ private:
     constexpr place at = layout_of<M>.outputs[shared];
     auto& sample = sample_in<M, at.array>(state, at.index);
     sample.forget();
-    if constexpr (array_of<M, at.array>.kind == storage_kind::newest)
+    if constexpr (array_of<M, at.array>.kind == storage_kind::newest ||
+                  array_of<M, at.array>.kind == storage_kind::past)
       for (int c = 0; c < size_of_output<M, shared>; ++c)
-        sample.vector()[c] =
-            initial_coordinate(output_of<M, shared>.initial_of, *output_port_of<M, shared>.space, c);
+        sample.begin_with(
+            c, initial_coordinate(output_of<M, shared>.initial_of, *output_port_of<M, shared>.space, c));
     forget_arriving<shared>(state, beat);
   }
 };

@@ -39,6 +39,8 @@ public:
   }
   CCA_INLINE std::int64_t origin() const { return time; }
   void forget() { time = never; }
+  // What it shows until a sample is stored.
+  void begin_with(int coordinate, double initial) { vector()[coordinate] = initial; }
 
   template <class Vector>
   CCA_INLINE void store(const Vector& v, std::int64_t origin) {
@@ -163,7 +165,9 @@ struct newest_sample : stored_sample<Size>, publication_beat<Published.dynamic()
 
 // ---- past ----
 
-// The last samples. Depth is a power of two, and enough for all readers.
+// The last samples. Depth is a power of two, and enough for all readers. What has not been published yet is
+// where nothing has been stored: there it holds the initial value, of origin `never`, so a reader needs no
+// test.
 template <int Size, int Depth, clock Published>
 class past_samples {
 public:
@@ -174,11 +178,11 @@ public:
     s.published_in = k;
   }
   CCA_INLINE const stored_sample<Size>* show(std::int64_t k, int delay) const {
-    return newest_arrived(k, delay);
+    return &newest_arrived(k, delay);
   }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int delay) const {
-    const slot* s = newest_arrived(k, delay);
-    return s ? s->published_in + delay : -1;
+    const slot& s = newest_arrived(k, delay);
+    return s.published_in < 0 ? -1 : s.published_in + delay;
   }
   // In beat k nothing was published: if its clock ticks, the sample before counts again.
   void repeat(std::int64_t k) {
@@ -187,12 +191,18 @@ public:
     const std::int64_t number = (k - Published.first) / Published.period;
     slot& now = slots[index_in_ring(number)];
     if (now.published_in == k) return;
-    now = number > 0 ? slots[index_in_ring(number - 1)] : slot();
+    if (number > 0) now = slots[index_in_ring(number - 1)];
     if (now.published_in >= 0) now.published_in = k;
   }
   void forget() {
-    for (slot& each : slots) each.published_in = -1;
+    for (slot& each : slots) {
+      each.forget();
+      each.published_in = -1;
+    }
     count = 0;
+  }
+  void begin_with(int coordinate, double initial) {
+    for (slot& each : slots) each.begin_with(coordinate, initial);
   }
 
 private:
@@ -210,19 +220,18 @@ private:
     slots[index_in_ring(count++)].published_in = k;
   }
 
-  CCA_INLINE const slot* newest_arrived(std::int64_t k, int delay) const {
+  // A number below 0: nothing has arrived. There are fewer samples than slots then, so that slot is empty.
+  CCA_INLINE const slot& newest_arrived(std::int64_t k, int delay) const {
     std::int64_t number = -1;
     if constexpr (Published.known()) {
-      const std::int64_t newest = k - delay;
-      number = newest < Published.first ? -1 : (newest - Published.first) / Published.period;
+      number = k - delay - Published.first;
+      if constexpr (Published.period > 1) number = number < 0 ? -1 : number / Published.period;
     } else {
       number = count - 1;
       // At most `Depth` samples are newer than the one that has arrived: older ones have been overwritten.
       while (number >= 0 && slots[index_in_ring(number)].published_in + delay > k) --number;
     }
-    if (number < 0) return nullptr;
-    const slot& s = slots[index_in_ring(number)];
-    return s.published_in < 0 ? nullptr : &s;  // cut before the first
+    return slots[index_in_ring(number)];
   }
 
   slot slots[array_size(Depth)];

@@ -235,7 +235,8 @@ constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
     out.initial_of = shared.initial_of;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
-      in.own_initial = out.storage == storage_kind::newest && may_show_initial(in) &&
+      in.own_initial = (out.storage == storage_kind::newest || out.storage == storage_kind::past) &&
+                       may_show_initial(in) &&
                        !same_initial(out.initial_of, in.initial, port_of(g, out).space->size);
     }
   }

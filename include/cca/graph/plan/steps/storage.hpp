@@ -79,7 +79,7 @@ struct storage_step {
                                          : storage_kind::newest;
     if (out.storage == storage_kind::past || out.storage == storage_kind::arriving)
       for (out.depth = 1; out.depth < depth;) out.depth *= 2;
-    if (out.storage == storage_kind::newest) choose_initial(out);
+    if (out.storage == storage_kind::newest || out.storage == storage_kind::past) choose_initial(out);
   }
 };
 
