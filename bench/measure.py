@@ -3,8 +3,9 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, arm, drives, dynamics, floating, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, random, skills, arm, drives, dynamics, floating, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
+    measure.py --only random --graphs 5   so many random graphs
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
     measure.py --programs DIR  where CMake has built latency_<reflectors> and bench_realtime (default: build/bench/bench)
@@ -28,6 +29,7 @@ import tempfile
 
 import generate
 import page
+import random_graphs
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
@@ -36,6 +38,8 @@ FORMS = ("graph", "by_hand", "classical")
 TROT_FLAGS = (["-O2"], ["-O3"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"])
 SIZES = (10, 30, 100, 300)
 COPIES_FLAGS = ["-O3", "-march=x86-64-v3"]
+RANDOM_FLAGS = (["-O2"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"])
+RANDOM_BEATS = 100  # whole periods of the slowest clock
 SKILLS_FLAGS = (["-O2"], ["-O3"])
 SKILLS_BEATS = (2000, 14000)  # begins when the robot sees the ball; then every skill runs
 ARM_FORMS = ("graph", "by_hand", "shared")
@@ -243,6 +247,25 @@ def copies(work):
                 row[form] = {"instructions": instructions(program, style, form)}
             rows.append(row)
             print("copies", compiler, style, {f: row[f]["instructions"] for f in ("graph", "by_hand")}, flush=True)
+    return rows
+
+
+def random_graph(work):
+    """Graphs that nobody tuned: components of many styles on samples of eight axes, and the same as one function by hand."""
+    rows = []
+    for seed in range(1, GRAPHS + 1):
+        (work / "random.cpp").write_text(random_graphs.source(seed))
+        for compiler in COMPILERS:
+            for flags in RANDOM_FLAGS:
+                program = work / "random"
+                build(compiler, [*flags, "-ffp-contract=off"], work / "random.cpp", program)
+                run([str(program), "check"])
+                row = {"seed": seed, "compiler": compiler, "flags": " ".join(flags)}
+                for form in ("graph", "by_hand"):
+                    row[form] = {"instructions": instructions(program, form, lengths=(RANDOM_BEATS, 3 * RANDOM_BEATS))}
+                rows.append(row)
+                print("random", seed, compiler, *flags, {f: row[f]["instructions"] for f in ("graph", "by_hand")}, page.ratio(row), flush=True)
+    print(page.random_table(rows))
     return rows
 
 
@@ -489,17 +512,19 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "floating": floating, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "random": random_graph, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "floating": floating, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")
+    parser.add_argument("--graphs", type=int, default=20)
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/bench/bench")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "build/bench/out")
     a = parser.parse_args()
-    global PROGRAMS, OUT, QUICK
-    PROGRAMS, OUT, QUICK = a.programs, a.out, a.quick
+    global PROGRAMS, OUT, QUICK, GRAPHS
+    PROGRAMS, OUT, QUICK, GRAPHS = a.programs, a.out, a.quick, a.graphs
     if a.quick:
         global TROT_FLAGS, SIZES, COMPILE_SIZES
+        GRAPHS = min(GRAPHS, 3)
         TROT_FLAGS, SIZES, COMPILE_SIZES = TROT_FLAGS[:2], SIZES[:3], COMPILE_SIZES[:3]
     file = HERE / "figures.json"
     figures = json.loads(file.read_text()) if file.exists() else {}

@@ -162,6 +162,36 @@ Each cell reads graph / by hand.
 {measured(part)}"""
 
 
+def random_table(rows):
+    sets = {}
+    for r in rows:
+        sets.setdefault((r["compiler"], r["flags"]), []).append(r["graph"]["instructions"] / r["by_hand"]["instructions"])
+    return table(["compiler", "flags", "mean", "most", "least"],
+                 [[compiler, f"`{flags}`", f"**{sum(all_of) / len(all_of):.3f}**", f"**{max(all_of):.3f}**", f"{min(all_of):.3f}"]
+                  for (compiler, flags), all_of in sorted(sets.items(), key=lambda s: (s[0][0] != "g++", s[0][1]))])
+
+
+def random_graph(part):
+    rows = part["data"]
+    least, most = (f([r["by_hand"]["instructions"] for r in rows]) for f in (min, max))
+    return f"""## Graphs that nobody tuned
+
+The graphs above were looked at until they cost little; these {len({r["seed"] for r in rows})} are random (`bench/random_graphs.py`, each made from its seed).
+Each has 14 to 26 components and a robot, on samples of eight axes and of one.
+Some components fill their output in place, some return their state or an Eigen expression, call static functions or keep arrays; some publish one axis.
+Wires are immediate, delayed by one to three beats, or latest; outputs have one or more readers, some wires close a loop, some components are slower than the beat.
+The same arithmetic by hand is one function that copies no sample: a result is read where it was computed.
+Each run checks that the two give the same bits.
+By hand they take {number(least)} to {number(most)} instructions per beat.
+The bounds are a mean of 1.03 and no graph above 1.10.
+`python3 bench/measure.py --only random` measures this part.
+
+Instructions, graph : by hand:
+
+{random_table(rows)}
+{measured(part)}"""
+
+
 def both(row, what):
     return each(row, what, ("graph", "by_hand"))
 
@@ -470,6 +500,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(skeletons(figures["skeletons"]))
     if "copies" in figures:
         parts.append(copies(figures["copies"]))
+    if "random" in figures:
+        parts.append(random_graph(figures["random"]))
     if "skills" in figures:
         parts.append(skills(figures["skills"]))
     if "arm" in figures:

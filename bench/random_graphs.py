@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Random graphs that nobody tuned, each from its seed, and the same arithmetic by hand: one function that copies no sample.
 
-    random_graphs.py 17                    the benchmark program of seed 17 (program.hpp says how to run it)
-    random_graphs.py --measure 1 20        counts both forms of these seeds with both compilers, at three sets of flags, and prints the table
-    random_graphs.py --measure 1 20 --compiler clang++-19 --flags=-O2
+    random_graphs.py 17    the benchmark program of seed 17 (program.hpp says how to run it)
+
+`measure.py --only random` counts the instructions of both forms.
 
 A graph has 14 to 26 nodes and a robot, on samples of eight axes and of one.
 Components fill their output in place, return their state or Eigen expressions, call static functions and keep arrays.
@@ -12,14 +12,8 @@ By hand, a result is read where it was computed: a variable of the function, or 
 Only what is read one or more beats later is stored, as late as possible.
 """
 import argparse
-import pathlib
 import random
 import re
-import tempfile
-
-FLAGS = (["-O2"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"])
-SEEDS = (1, 20)
-BEATS = (300, 900)  # whole periods of the slowest clock
 
 # A kind of component: its inputs and its output (v: eight axes, s: one), what it keeps, a static function that it calls, what it computes.
 # `$x` and `$z` are inputs, `$y` is the output filled in place, `$NAME` is what it keeps. `return` says what it returns otherwise.
