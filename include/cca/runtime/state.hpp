@@ -93,6 +93,15 @@ struct stored_array {
   typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
 };
 
+// Those of a beat begin with nothing: without a constructor of its own, the array would be set to zero in each
+// beat.
+template <class Graph, int Array>
+struct stored_array<Graph, Array, storage_kind::of_beat> {
+  typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
+
+  CCA_INLINE stored_array() {}
+};
+
 // The newest and the past samples begin with what their first reader sees before there is one.
 template <class Graph, int Array, storage_kind Kind>
   requires(Kind == storage_kind::newest || Kind == storage_kind::past)
