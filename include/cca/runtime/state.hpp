@@ -93,8 +93,8 @@ struct stored_array {
   typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
 };
 
-// Those of a beat begin with nothing: without a constructor of its own, the array would be set to zero in each
-// beat.
+// Those of a beat begin with nothing: without a constructor of its own, the array would be set to zero in
+// each beat.
 template <class Graph, int Array>
 struct stored_array<Graph, Array, storage_kind::of_beat> {
   typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
