@@ -17,6 +17,10 @@
 // call_simplified<f>(...) calls a function that many calls of a beat share. clang gets it as a pointer that
 // it resolves while it inlines: by then it has simplified the function, once for all its calls. With a direct
 // call a graph of 1,000 nodes takes clang twice the time (docs/performance.md).
+// simplified_first<f>() is f, for a function that is inlined wherever it is called. clang inlines such calls
+// before it simplifies anything; what the function itself calls then has two callers, the function and the
+// beat, and a static function of two callers is not inlined where it is large. clang gets f from a function
+// that it inlines later: by then f has been simplified, with what only it calls.
 //
 // copies_in_pieces   g++ with AVX, see copy_block.hpp. g++ copies what memcpy copies in pieces of 16 bytes. A
 //                    loop that it has vectorised stores 32 bytes at a time, so it can't see that both are the
