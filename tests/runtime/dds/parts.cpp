@@ -10,6 +10,7 @@ TEST_SUITE("parts over dds") {
     part_laws::stops_in_the_same_beat_of_a_wall_clock_run<over_dds, D>();
   }
   TEST_CASE("a process stops what another one runs") {
-    part_laws::stops_what_another_process_runs<over_dds>();
+    part_laws::stops_what_another_process_runs<over_dds, part_laws::whole>();
+    part_laws::stops_what_another_process_runs<over_dds, part_laws::spread>();
   }
 }

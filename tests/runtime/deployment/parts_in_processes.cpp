@@ -27,6 +27,7 @@ TEST_SUITE("parts in processes") {
     part_laws::stops_in_the_same_beat_of_a_wall_clock_run<over_shared_memory, D>();
   }
   TEST_CASE("a process stops what another one runs") {
-    part_laws::stops_what_another_process_runs<over_shared_memory>();
+    part_laws::stops_what_another_process_runs<over_shared_memory, part_laws::whole>();
+    part_laws::stops_what_another_process_runs<over_shared_memory, part_laws::spread>();
   }
 }

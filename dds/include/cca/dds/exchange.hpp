@@ -85,6 +85,7 @@ private:
     all.manifest = cca::detail::manifest_of<D>();
     all.limits = {cca::detail::counts_of<D>.period, cca::detail::exchange<D>::calls_and_one,
                   cca::detail::counts_of<D>.node_count, cca::detail::most_ahead<D>};
+    all.limits.parts = cca::detail::array_size(cca::detail::counts_of<D>.part_count);
     if constexpr (DeploymentOfModes<D>) all.limits.modes = cca::detail::mode_count<D>;
     return all;
   }
@@ -188,6 +189,8 @@ private:
       to[status::mode] = own.modes[e].mode;
       to[status::switches] = own.modes[e].switches;
     }
+    for (std::size_t p = 0; p < to.wishes.size(); ++p)
+      if constexpr (requires { own.wishes; }) to.wishes[p] = own.wishes[e][p];
     to[status::overruns] = from.overruns;
     to[status::lost_periods] = from.lost_periods;
     for (std::size_t x = 0; x < environment_count; ++x) to.late[x] = from.late[x];
@@ -217,6 +220,8 @@ private:
       own.modes[e].mode = from[status::mode];
       own.modes[e].switches = from[status::switches];
     }
+    for (std::size_t p = 0; p < from.wishes.size(); ++p)
+      if constexpr (requires { own.wishes; }) own.wishes[e][p] = from.wishes[p];
     to.stopped.store(from[status::stopped], std::memory_order_release);
     to.stop_at.store(from[status::stop_at], std::memory_order_release);
     to.interval = from[status::interval];

@@ -31,6 +31,7 @@ struct bounds {
   int nodes = 0;
   std::int64_t ahead = 0;  // beats that an environment may be ahead
   int modes = 1;
+  std::size_t parts = 0;
 
   std::int64_t last_beat() const { return (std::int64_t{1} << 62) / std::max(period, calls_and_one); }
   // How far ahead of all that is known here a message may be: a process that has not been heard for two
@@ -84,15 +85,20 @@ struct status {
   std::vector<std::uint64_t> accepted;    // of each environment: the participant that this one listens to
   std::vector<std::int64_t> accepted_in;  // of each environment: the newest run that began before that
   std::vector<std::int64_t> published;    // of each output: the number of the next sample
+  std::vector<std::int64_t> wishes;       // of each part: what was asked between two runs
 
-  status(std::size_t environments, std::size_t outputs)
-      : late(environments), accepted(environments), accepted_in(environments), published(outputs) {}
+  status(std::size_t environments, std::size_t outputs, std::size_t parts = 0)
+      : late(environments),
+        accepted(environments),
+        accepted_in(environments),
+        published(outputs),
+        wishes(parts) {}
 
   std::int64_t& operator[](field f) { return fields[f]; }
   std::int64_t operator[](field f) const { return fields[f]; }
 
-  static std::size_t size(std::size_t environments, std::size_t outputs) {
-    return field_count + reason_words().size() + 3 * environments + outputs;
+  static std::size_t size(std::size_t environments, std::size_t outputs, std::size_t parts = 0) {
+    return field_count + reason_words().size() + 3 * environments + outputs + parts;
   }
   void write_to(words& message) const {
     message.clear();
@@ -135,6 +141,9 @@ struct status {
             late, [](std::int64_t n) { return n < 0; }) ||
         std::ranges::any_of(published, [](std::int64_t n) { return n < 0; }))
       return "a count below zero";
+    if (std::ranges::any_of(
+            wishes, [&](std::int64_t n) { return !is_in(n, 0, cca::detail::wish_to_start_and_stop); }))
+      return "a wish that does not exist";
     const std::string_view text = reason_text();
     if (text.size() >= sizeof reason ||
         std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' '; }))
@@ -151,6 +160,7 @@ private:
     for (auto& number : s.accepted) f(number);
     for (auto& number : s.accepted_in) f(number);
     for (auto& number : s.published) f(number);
+    for (auto& number : s.wishes) f(number);
   }
 };
 

@@ -84,7 +84,7 @@ private:
   };
   struct environment {
     environment(std::size_t e, const deployment_facts& facts)
-        : number(e), scratch(facts.environments.size(), facts.outputs_of(e).size()) {}
+        : number(e), scratch(facts.environments.size(), facts.outputs_of(e).size(), facts.limits.parts) {}
     std::size_t number;
     identity holder{};
     std::int64_t accepted_at = 0;
@@ -134,8 +134,9 @@ private:
           {outputs[place], place, {in, out.topic, out.type, sample_message::head + out.size}});
       attach(e.outputs.back().reader.get());
     }
-    e.statuses = std::make_unique<channel_reader>(in, facts.status_topic(e.number), facts.status_type(),
-                                                  status::size(facts.environments.size(), outputs.size()));
+    e.statuses = std::make_unique<channel_reader>(
+        in, facts.status_topic(e.number), facts.status_type(),
+        status::size(facts.environments.size(), outputs.size(), facts.limits.parts));
     attach(e.statuses->get());
     contact& c = peers[e.number];
     c.has_left = false;

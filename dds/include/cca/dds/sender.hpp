@@ -67,11 +67,11 @@ private:
   struct environment {
     environment(const participant& in, const deployment_facts& facts, std::size_t e)
         : number(e),
-          now(facts.environments.size(), facts.outputs_of(e).size()),
+          now(facts.environments.size(), facts.outputs_of(e).size(), facts.limits.parts),
           writer(in,
                  facts.status_topic(e),
                  facts.status_type(),
-                 status::size(now.late.size(), now.published.size()),
+                 status::size(now.late.size(), now.published.size(), now.wishes.size()),
                  1) {
       for (const std::size_t o : facts.outputs_of(e)) {
         const leaving_output& out = facts.outputs[o];

@@ -136,6 +136,7 @@ public:
   void start() {
     const typename own_mode::hooks_of_active_mode now_on(*this);
     host::start();
+    changes::forget_wishes();
     tell_stopped(0);
   }
   void stop() {
@@ -165,10 +166,7 @@ public:
   void parameters_changed() noexcept { told::parameters_changed(now == cca::state::running, first_here()); }
 
 private:
-  void check_part(const char* call, int part) const {
-    if (is_at_rest()) placed::check_part_is_here(part);
-    own_mode::check_part_of_mode(call, part);
-  }
+  void check_part(const char* call, int part) const { own_mode::check_part_of_mode(call, part); }
   bool is_here(int node) const { return placed::is_here(node) && own_mode::has_hooks(node); }
 
   void tell_part([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
@@ -206,6 +204,7 @@ private:
     detail::terms_of_run wanted{k, 0, wants_exact, wants_to_meet};
     wanted.stops = stops_called;
     own_mode::tell_mode(wanted);
+    changes::tell_wishes();
     const auto terms = together.agree(wanted, beats, longest_wait, idle_beats, meanwhile,
                                       [&] { return !detail::wants_end(between); });
     if (terms.is_stopped) return false;
@@ -220,6 +219,7 @@ private:
                      terms.beat);
     });
     own_mode::join_mode(terms);
+    changes::obey_wishes();
     together.begin(terms.beat, longest_wait, idle_beats, meanwhile);
     {
       const detail::at_the_end all_at_one_beat{[&] { finish(together, terms, idle_beats); }};
@@ -312,8 +312,8 @@ private:
   }
 
   using changes::next_beat_of, changes::first_here, changes::is_at_rest, changes::is_ordered,
-      changes::take_changes_at_rest, changes::next_of_first_here, changes::needs_order, changes::can_order,
-      changes::order, changes::order_at_rest, changes::set_part_in, changes::is_computing;
+      changes::take_changes_at_rest, changes::next_of_first_here, changes::needs_order, changes::order,
+      changes::order_at_rest, changes::set_part_in, changes::is_computing;
   using host::idle, host::move, host::now, host::reason;
   using placed::component, placed::component_of, placed::visit, placed::for_each_part_state,
       placed::for_each_state, placed::loops, placed::here;

@@ -182,6 +182,23 @@ struct modes_between_runs<D> {
   std::array<record, array_size(environment_count<D>)> modes{};
 };
 
+// What was asked of parts between two runs, by each environment, where other processes run them: it has
+// effect when the next run begins. A part that is stopped and started begins anew.
+enum wish_for_part : std::int64_t {
+  no_wish,
+  wish_to_start,
+  wish_to_stop,
+  wish_to_stop_and_start,
+  wish_to_start_and_stop
+};
+template <class D, bool HasParts = (counts_of<D>.part_count > 0 && environment_count<D> > 1)>
+struct parts_between_runs {};
+template <class D>
+struct parts_between_runs<D, true> {
+  using record = std::array<std::atomic<std::int64_t>, array_size(counts_of<D>.part_count)>;
+  std::array<record, array_size(environment_count<D>)> wishes{};
+};
+
 template <class D,
           class Outputs = all_that_leaves<D>,
           class Free = free_environments<D>,
@@ -194,7 +211,8 @@ struct exchange<D,
                 std::integer_sequence<int, Way...>> : leaving_samples<D, Output>...,
                                                       leaving_results<D, Free>...,
                                                       kept_on_way<D, Way>...,
-                                                      modes_between_runs<D> {
+                                                      modes_between_runs<D>,
+                                                      parts_between_runs<D> {
   static constexpr std::int64_t calls_and_one = positions_in_beat<D>;
   static constexpr std::int64_t position_of(std::int64_t beat, int done = 0) {
     return beat * calls_and_one + done;

@@ -69,10 +69,6 @@ protected:
       if (is_in_part<D>(node, number) && !is_here(node)) return false;
     return true;
   }
-  void check_part_is_here(int number) const {
-    for (int node = 0; node < counts_of<D>.node_count; ++node)
-      if (is_in_part<D>(node, number)) refuse_if_elsewhere(node);
-  }
   // f(number, component) for each, in declaration order.
   template <class F, class Placed>
   static void visit(F f, Placed& self) {

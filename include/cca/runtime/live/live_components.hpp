@@ -53,12 +53,6 @@ struct live_components {
     if constexpr (requires { c.needs_order(part); }) return c.needs_order(part);
     else return false;
   }
-  // Can one be given now?
-  template <class Controller>
-  static bool can_order([[maybe_unused]] const Controller& c, [[maybe_unused]] int part) {
-    if constexpr (requires { c.can_order(part); }) return c.can_order(part);
-    else return true;
-  }
   // The beat in which it has effect; -1: it has had it.
   template <class Controller>
   static std::int64_t give_order([[maybe_unused]] Controller& c,

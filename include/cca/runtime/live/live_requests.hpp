@@ -82,8 +82,8 @@ public:
   }
 
   // Whether the last request has been taken, and what refused it then; empty: nothing. A component refuses
-  // parameters (`refusal_of`), and to be stopped or started where the active mode lacks it, or where another
-  // process runs it and no run is on; a mode is refused after a fault.
+  // parameters (`refusal_of`), and to be stopped or started where the active mode lacks it; a mode is refused
+  // after a fault.
   bool is_taken() const noexcept { return mailbox.is_empty(); }
   std::string refused_by() const {
     const int by = refusing.load(std::memory_order_acquire);
@@ -162,9 +162,7 @@ private:
   }
   int refusal_of_order(const Controller& c) const {
     if (what == asked::mode) return c.state() == state::faulted ? first_mode - asked_mode : nobody;
-    return live_components::has_part_now(c, asked_part) && live_components::can_order(c, asked_part)
-               ? nobody
-               : first_part - asked_part;
+    return live_components::has_part_now(c, asked_part) ? nobody : first_part - asked_part;
   }
 
   struct given_back {

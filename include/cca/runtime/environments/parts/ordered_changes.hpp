@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include <cca/runtime/environments/environment_loops.hpp>
@@ -43,8 +44,6 @@ protected:
   bool needs_order(int part) const {
     return part < 0 || is_spread_part<D>(part) || !self().is_part_here(part) || is_asked_for<D>(part);
   }
-  // Between two runs a part is stopped only where this process runs all of it.
-  bool can_order(int part) const { return is_computing || self().is_part_here(part); }
   // From the thread of the first environment here. The beat in which it has effect.
   std::int64_t order([[maybe_unused]] ordered what, [[maybe_unused]] int number) {
     std::int64_t in = 0;
@@ -59,12 +58,44 @@ protected:
     return in;
   }
   void order_at_rest(int part, bool stops) {
-    self().loops.for_each([&]<int E>(auto& loop) {
-      if (self().here[E]) loop.set_part(part, stops, Self::template next_of<E>(self()), next_beat_of(E));
-    });
+    wish(part, stops);
+    set_part_here(part, stops);
+  }
+
+  // Between two runs, of a part that another process runs.
+  void wish(int part, bool stops) {
+    if (self().is_part_here(part)) return;
+    std::int64_t& one = wishes[array_size(part)];
+    if (stops) one = one == no_wish || one == wish_to_stop ? wish_to_stop : wish_to_start_and_stop;
+    else one = one == no_wish || one == wish_to_start ? wish_to_start : wish_to_stop_and_start;
+  }
+  void forget_wishes() { wishes = {}; }
+  // Before the environments meet for a run.
+  void tell_wishes() {
+    if constexpr (has_wishes)
+      for (std::size_t e = 0; e < self().here.size(); ++e)
+        for (std::size_t p = 0; self().here[e] && p < wishes.size(); ++p)
+          self().shared->wishes[e][p] = wishes[p];
+  }
+  // When they have met: of several for one part that of the environment which stands first. The process that
+  // asked has its own share of the part as it was asked for.
+  void obey_wishes() {
+    if constexpr (has_wishes)
+      for (int p = 0; p < counts_of<D>.part_count; ++p) {
+        std::size_t first = 0;
+        const auto& all = self().shared->wishes;
+        while (first < all.size() && all[first][array_size(p)] == no_wish) ++first;
+        if (first == all.size() || self().here[first]) continue;
+        const std::int64_t wanted = all[first][array_size(p)];
+        const bool stops = wanted == wish_to_stop || wanted == wish_to_start_and_stop;
+        if (wanted == wish_to_stop_and_start || wanted == wish_to_start_and_stop) set_part_here(p, !stops);
+        set_part_here(p, stops);
+      }
+    forget_wishes();
   }
   // While others compute.
   bool is_ordered(int part, bool stops) {
+    if (is_at_rest()) wish(part, stops);
     if (is_at_rest() || is_part_of<D>(part, first_here())) return false;
     order(stops ? ordered::stop : ordered::start, part);
     return true;
@@ -90,6 +121,15 @@ private:
       if (asks_for_changes<D>(e)) return true;
     return false;
   }();
+  static constexpr bool has_wishes = counts_of<D>.part_count > 0 && environment_count<D> > 1;
+  void set_part_here(int part, bool stops) {
+    self().loops.for_each([&]<int E>(auto& loop) {
+      if (self().here[E]) loop.set_part(part, stops, Self::template next_of<E>(self()), next_beat_of(E));
+    });
+  }
+
+  std::array<std::int64_t, array_size(has_wishes ? counts_of<D>.part_count : 1)> wishes{};
+
   Self& self() { return static_cast<Self&>(*this); }
   const Self& self() const { return static_cast<const Self&>(*this); }
 };
