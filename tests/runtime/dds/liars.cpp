@@ -278,6 +278,9 @@ TEST_SUITE("liars over dds") {
     CHECK_EQ(complaint([](status& s) { s[status::length] = -1; }), "a count below zero");
     CHECK_EQ(complaint([](status& s) { s.published[0] = -1; }), "a count below zero");
     CHECK_EQ(complaint([](status& s) { s.late[1] = -1; }), "a count below zero");
+    CHECK_EQ(complaint([](status& s) { s.wishes = {4}; }), "");
+    CHECK_EQ(complaint([](status& s) { s.wishes = {5}; }), "a wish that does not exist");
+    CHECK_EQ(complaint([](status& s) { s.wishes = {-1}; }), "a wish that does not exist");
     words message;
     good_status(7).write_to(message);
     CHECK_EQ(message.size(), status::size(2, 1));
