@@ -14,14 +14,18 @@ import tempfile
 import generate
 
 HERE = pathlib.Path(__file__).resolve().parent
-INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE.parent / "robots/include"), "-I", str(HERE.parent / "sim/include"), "-I", str(HERE)]
+INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE.parent / "robots/include"), "-I", str(HERE.parent / "sim/include"), "-I", str(HERE),
+            "-DCCA_COMPILED_SIM"]  # as in a project with CMake: the simulator is a library, so the beat holds none of its code
 LIBM = {"sin", "cos", "sincos", "tan", "atan", "atan2", "asin", "acos", "exp", "log", "pow", "sqrt", "fmod", "floor", "ceil", "round", "hypot"}
-# The engine, the simulator node that calls it, its initialisation in a thread, and std::terminate for its exceptions.
-SIMULATOR = re.compile(r"^d[A-Z]\w+$|^cca::sim::(world|simulator|detail::simulator_of<.*>)::|^cca::sim::detail::trunk_record_of|^__cxa_|^_Unwind_Resume$|^std::runtime_error::"
-                       r"|^__clang_call_terminate$|^std::terminate\(\)$")
+# The simulator: its node with the servos, the world that it calls (a library), and what of these is inlined into the beat; what runs
+# once the robot has faulted, or instead of a beat while it is stopped. objdump can't read names with strings as template arguments.
+SIMULATOR = re.compile(r"^cca::sim::(world|robot_world|push_plan|detail::simulated_robot_of<.*>)::|^_ZNK?3cca3sim6detail18simulated_robot_of|^cca::robots::joint_servo::"
+                       r"|^memset$|^std::__throw_out_of_range_fmt\(|^__cxa_|^_Unwind_Resume$|^__clang_call_terminate$|^std::terminate\(\)$"
+                       r"|^cca::detail::(loop_host|component_host)<.*>::(fail\(cca::detail::beat_outcome|idle\()|cca::detail::note_missed<")
 SIMULATED = HERE / "oncilla_beat.cpp"
-# The functions of the beat. The compilers inline a small advance() into step(), and that into the `beat` of a source.
-BEAT = re.compile(r"controller<.*>::(advance|step)\(\)|^beat\(")
+# The functions of the beat. The compilers inline a small advance() into step(), and that into the `beat` of a source. objdump can't
+# read the name that clang gives to an advance() with a `requires`.
+BEAT = re.compile(r"controller<.*>::(advance|step)\(\)|^beat\(|^_ZN3cca10controllerI.*E7advanceEvQ")
 
 
 def calls(listing):

@@ -26,11 +26,11 @@
 
 namespace {
 
-struct simulated : skills::simulated,
-                   cca::recordable,
-                   cca::traceable,
-                   cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.trunk.orientation"> {
-};
+struct simulated
+    : skills::simulated,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
 
 struct program : cca::robot_program<simulated> {
   program() {

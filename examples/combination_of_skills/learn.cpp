@@ -67,9 +67,8 @@ std::vector<moment> recorded(double seconds, const cca::interruption& interrupte
   straight_on.level = 0.0;
   straight_on.damp = 0.0;
   c.set<"trot.posture">(straight_on);
-  c.get<"trot.robot.simulator">().put_down(
-      cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(),
-                      trot::put_down(c.get<"trot.gait">().p, cca::sim::disturbance::none())));
+  c.get<"trot.robot.simulator">().put_down(cca::sim::world(
+      cca::sim::terrain::flat(), trot::put_down(c.get<"trot.gait">().p, cca::sim::disturbance::none())));
   c.start();
   std::vector<moment> all;
   const double settled = 2;  // s, then it trots steadily

@@ -76,8 +76,7 @@ public:
         around(c.where, c.paw, c.trot_seconds) {}
 
   cca::sim::world put_down(const orders::parameters& p) const {
-    return cca::sim::world(cca::sim::oncilla_defaults,
-                           cca::sim::terrain::flat().with_friction(pushes.friction),
+    return cca::sim::world(cca::sim::terrain::flat().with_friction(pushes.friction),
                            skills::put_down(p, pushes));
   }
   const cca::sim::disturbance& disturbance() const { return pushes; }

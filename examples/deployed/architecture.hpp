@@ -32,8 +32,6 @@ struct architecture
           skills::architecture<remote_oncilla, camera>,
           // From the simulation to the robot, and back: as on a bus.
           cca::wire<"robot.ball", "camera.picture", cca::delayed<1>>,
-          cca::wire<"abduction_limits.safe", "robot.abduction", cca::delayed<1>>,
-          cca::wire<"stiffness_limits.safe", "robot.stiffness", cca::delayed<1>>,
           cca::wire<"sequencer.step", "robot.step", cca::delayed<2>>,
           cca::wire<"sequencer.timed_out", "robot.timed_out", cca::delayed<2>>,
 
@@ -43,9 +41,9 @@ struct architecture
           cca::wire<"robot.angles", "dmp.feedback", cca::delayed<1>>,
           cca::wire<"robot.angles", "paw.angles", cca::delayed<1>>,
           cca::wire<"robot.abducted", "paw.abducted", cca::delayed<1>>,
-          cca::wire<"robot.contacts", "paw.contacts", cca::delayed<1>>,
-          cca::wire<"robot.angular_velocity", "balance.angular_velocity", cca::delayed<1>>,
-          cca::wire<"robot.angular_velocity", "trunk.angular_velocity", cca::delayed<1>>,
+          cca::wire<"robot.contacts", "paw.contacts", cca::delayed<2>>,
+          cca::wire<"robot.angular_velocity", "balance.angular_velocity", cca::delayed<2>>,
+          cca::wire<"robot.angular_velocity", "trunk.angular_velocity", cca::delayed<2>>,
           cca::wire<"camera.ball", "ball.ball", cca::delayed<1>>,
           cca::wire<"camera.ball", "paw.ball", cca::delayed<1>>,
           cca::wire<"camera.ball", "aim.ball", cca::delayed<1>>,
@@ -57,7 +55,7 @@ struct architecture
           cca::wire<"steady.abducted", "abduction_limits.command", cca::delayed<1>>,
 
           // To the mind. The sequencer hears of all statuses a beat later anyway.
-          cca::wire<"robot.orientation", "heading.orientation", cca::delayed<1>>,
+          cca::wire<"robot.orientation", "heading.orientation", cca::delayed<2>>,
           cca::wire<"camera.ball", "heading.ball", cca::delayed<1>>,
           cca::wire<"camera.ball", "orders.ball", cca::delayed<1>>,
           cca::wire<"aim.aim", "orders.aim", cca::delayed<1>>,
@@ -92,9 +90,15 @@ struct split
                                       "robot.right_front_knee",
                                       "robot.left_hind_knee",
                                       "robot.right_hind_knee",
-                                      "robot.trunk",
-                                      "robot.splitter",
+                                      "robot.left_front_abduction",
+                                      "robot.right_front_abduction",
+                                      "robot.left_hind_abduction",
+                                      "robot.right_hind_abduction",
+                                      "robot.command",
+                                      "robot.abduction",
+                                      "robot.stiffness",
                                       "robot.angles",
+                                      "robot.abducted",
                                       "robot.velocities",
                                       "robot.torques",
                                       "camera",
@@ -104,7 +108,7 @@ struct split
           cca::environment<"mind", cca::nodes<"sequencer", "orders", "inverse_kinematics", "heading">>,
           cca::environment<"reflexes", cca::other_nodes>,
           cca::tolerate<100'000>>,  // no robot falls on anybody: a simulation goes on
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.trunk.orientation">,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation">,
       cca::recordable,
       cca::traceable {};
 // [deployment end]

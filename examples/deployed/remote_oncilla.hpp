@@ -2,13 +2,13 @@
 // The Oncilla with its simulator in another environment: all wires between them are delayed by a beat, as
 // frames on a bus are.
 //
-// Ports: those of every Oncilla (cca/robots/oncilla/robot.hpp); in "step", "timed_out" and out "ball" of the
-// stage. Its resource nodes are those of the real robot: they publish nothing before the first reading, and
-// no target before the first command.
+// Ports: those of every Oncilla (cca/robots/oncilla/as_built.hpp); in "step", "timed_out" and out "ball" of
+// the stage. Its resource nodes are those of the real robot: they publish nothing before the first reading.
+// Its sensors come from the stage: who is in another environment reads them by a delayed wire.
 #include <limits>
 
-#include <cca/hardware/oncilla/oncilla_nodes.hpp>
-#include <cca/robots/oncilla/robot.hpp>
+#include <cca/hardware/robot/robot_nodes.hpp>
+#include <cca/robots/ports.hpp>
 
 #include "stage.hpp"
 #include "with_items.hpp"
@@ -16,23 +16,17 @@
 namespace deployed {
 
 template <class Axis>
-struct joint_node : cca::hardware::joint_node<Axis> {
-  auto act(cca::in<"command", oncilla::joint_angle<Axis>> wanted)
-      -> cca::maybe<"target", oncilla::joint_angle<Axis>> {
-    if (wanted.origin() == cca::never) return {};
-    return wanted.vector();
-  }
-};
+struct joint_node : cca::hardware::driven_joint<built, Axis> {};
 
 struct oncilla_on_stage
-    : oncilla::robot<"simulator",
-                     stage,
-                     "simulator",
-                     joint_node,
-                     cca::hardware::trunk_node,
-                     cca::robots::items<cca::expose<"simulator.ball", "ball">,
-                                        cca::expose<"simulator.step", "step">,
-                                        cca::expose<"simulator.timed_out", "timed_out">>> {};
+    : cca::robots::graph_of_robot<built,
+                                  "simulator",
+                                  stage,
+                                  "simulator",
+                                  joint_node,
+                                  cca::robots::items<cca::expose<"simulator.ball", "ball">,
+                                                     cca::expose<"simulator.step", "step">,
+                                                     cca::expose<"simulator.timed_out", "timed_out">>> {};
 
 // Not a number: nothing has been measured yet.
 using nothing_measured = cca::initial<std::numeric_limits<double>::quiet_NaN()>;
@@ -48,13 +42,12 @@ struct remote_wires<cca::axes<Axes...>> {
                                   cca::detail::joined_name<Axes::label, "measured">,
                                   cca::delayed<1>,
                                   nothing_measured>...,
-                        cca::wire<"simulator.trunk", "trunk.measured", cca::delayed<1>, nothing_measured>,
-                        cca::wire<cca::detail::joined_name<Axes::label, "target">,
+                        cca::wire<cca::detail::joined_name<Axes::label, "wanted">,
                                   cca::detail::joined_name<"simulator", Axes::label>,
                                   cca::delayed<1>>...>;
 };
 // [wires end]
 
-struct remote_oncilla : remote_wires<oncilla::leg_axes>::of<oncilla_on_stage> {};
+struct remote_oncilla : remote_wires<cca::robots::measured_axes_of<built>>::of<oncilla_on_stage> {};
 
 }  // namespace deployed

@@ -2,12 +2,13 @@
 // The simulator and what is around the robot: the ball, the pushes, the referee. It plays a whole run by
 // itself, so it can run in a program of its own, on another machine than the robot's controller.
 //
-//   sense   out one port for each joint, "trunk"   as of cca::sim::simulator
-//           out "ball", maybe                      point_in_trunk: what a camera on the trunk sees
-//   act     in  one port for each joint, "abduction", "stiffness"   as of cca::sim::simulator
-//           in  "step", "timed_out"                of the sequencer, for the referee
+//   sense   out one port for each joint, the sensors   as of cca::sim::simulator
+//           out "ball", maybe                          point_in_trunk: what a camera on the trunk sees
+//   act     in  one port for each joint                as of cca::sim::simulator
+//           in  "step", "timed_out"                    of the sequencer, for the referee
 //
-// The world stands still until the first targets have come: the robot may start later than its world.
+// The world stands still until the first targets of all joints have come: the robot may start later than its
+// world.
 #include <cmath>
 #include <cstdint>
 #include <tuple>
@@ -21,6 +22,7 @@
 namespace deployed {
 
 namespace oncilla = cca::robots::oncilla;
+using built = oncilla::as_built;
 
 template <class Axes>
 class stage_of;
@@ -37,22 +39,21 @@ public:
   auto sense() {
     cca::maybe<"ball", skills::point_in_trunk> ball;
     if (const auto seen = referee.ball(world())) ball = *seen;
-    return std::tuple_cat(simulator::sense(), std::tuple(ball));
+    return std::tuple_cat(cca::sim::simulator::sense(), std::tuple(ball));
   }
 
-  void act(cca::in<Axes::label, oncilla::joint_angle<Axes>>... targets,
-           cca::optional_in<"abduction", oncilla::abduction_angles> abduction,
-           cca::optional_in<"stiffness", oncilla::hip_stiffnesses> stiffness,
+  auto act(cca::in<Axes::label, cca::robots::wanted_joint<built, Axes>>... wanted,
            cca::in<"step", cca::step_port> step,
-           cca::in<"timed_out", cca::step_flag> timed_out) {
-    const bool has_robot = ((targets.origin() != cca::never) && ...) && abduction.origin() != cca::never &&
-                           stiffness.origin() != cca::never;
-    if (!has_robot) return;
+           cca::in<"timed_out", cca::step_flag> timed_out) -> cca::fault {
+    // Of a joint without a command nothing is finite.
+    const bool has_robot = ((wanted.origin() != cca::never && std::isfinite(wanted.vector()[0])) && ...);
+    if (!has_robot) return {};
     const double begins = world().time();
-    simulator::act(targets..., abduction, stiffness);
+    const cca::fault fault = cca::sim::simulator::act(wanted...);
     if (referee.note(begins, world(), static_cast<int>(step[cca::step_axis{}]),
                      timed_out[cca::timed_out_axis{}] != 0, [] { return std::nan(""); }))
       disturb(referee.disturbance());
+    return fault;
   }
 
   bool is_over() const { return referee.is_over(); }
@@ -62,7 +63,7 @@ private:
   skills::referee referee;
 };
 
-struct stage : stage_of<oncilla::leg_axes> {
+struct stage : stage_of<cca::robots::measured_axes_of<built>> {
   // From here on it gets no command, by this machine's clock (ns).
   void on_fault() { stopped_at = cca::detail::monotonic_clock::now(); }
   std::int64_t stopped_at = 0;

@@ -33,7 +33,7 @@ inline cca::sim::world put_down(const std::array<double, 8>& beyond = {}) {
     const trot::leg_shape& shape = axes::is_front(leg) ? g.p.front : g.p.hind;
     posture.legs[leg] = {shape.hip + beyond[axes::hip_of(leg)], shape.knee + beyond[axes::knee_of(leg)], 0};
   }
-  return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
+  return cca::sim::world(cca::sim::terrain::flat(), posture);
 }
 
 // The buses and what is behind them: `Far`, the far side of a robot. Neither copied nor moved: its parts

@@ -29,12 +29,26 @@ public:
     const auto law = [](const cca::hardware::drive_command& c) {
       return cca::sim::joint_law{c.position, c.velocity, c.torque, c.stiffness, c.damping};
     };
-    cca::sim::robot_laws laws;
-    for (std::size_t leg = 0; leg < axes::leg_count; ++leg)
-      laws[leg] = {law(drives[axes::hip_of(leg)]), law(drives[axes::knee_of(leg)]), abduction[leg]};
+    // The knee's drive measures the joint, and its law acts there: it pulls the cable with what the law says,
+    // without a pulley that has a place of its own.
+    const auto pull = [](const cca::hardware::drive_command& c, double angle) {
+      return cca::sim::joint_law{.velocity = c.velocity,
+                                 .torque = c.torque + c.stiffness * (c.position - angle),
+                                 .damping = c.damping};
+    };
+    using built = axes::as_built;
+    std::array<cca::sim::joint_law, built::drives.size()> laws{};  // abduction, hip, knee and toe of each leg
+    for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
+      laws[4 * leg] = {.position = abduction[leg],
+                       .stiffness = built::abduction.stiffness,
+                       .damping = built::abduction.damping};
+      laws[4 * leg + 1] = law(drives[axes::hip_of(leg)]);
+      laws[4 * leg + 2] = pull(drives[axes::knee_of(leg)], world.joints()[4 * leg + 2].angle);
+    }
     former = angles();
-    world.push(disturbance.push_at(world.time()));
-    world.follow(laws);
+    const auto push = disturbance.push_at(world.time());
+    world.push({push[0], push[1], push[2]});
+    world.advance(laws);
   }
 
   std::array<cca::hardware::drive_motion, 8> joints() const {
@@ -44,9 +58,8 @@ public:
       all[joint] = {at[joint], (at[joint] - former[joint]) * 1000, torque};
     };
     for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
-      const auto& r = world.reading().legs[leg];
-      measured(axes::hip_of(leg), r.hip.torque);
-      measured(axes::knee_of(leg), r.knee.torque);
+      measured(axes::hip_of(leg), world.joints()[4 * leg + 1].torque);
+      measured(axes::knee_of(leg), world.joints()[4 * leg + 2].torque);
     }
     return all;
   }
@@ -59,7 +72,7 @@ public:
 
   cca::hardware::board_reading board() const {
     cca::hardware::board_reading b;
-    const auto& r = world.reading();
+    const auto r = world.reading();
     const auto& q = r.trunk.orientation;
     b.orientation = {q.x, q.y, q.z, q.w};
     b.angular_velocity = {r.trunk.angular_velocity[0], r.trunk.angular_velocity[1],
@@ -80,9 +93,8 @@ private:
   std::array<double, 8> angles() const {
     std::array<double, 8> all;
     for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
-      const auto& r = world.reading().legs[leg];
-      all[axes::hip_of(leg)] = r.hip.angle;
-      all[axes::knee_of(leg)] = r.knee.angle;
+      all[axes::hip_of(leg)] = world.joints()[4 * leg + 1].angle;
+      all[axes::knee_of(leg)] = world.joints()[4 * leg + 2].angle;
     }
     return all;
   }

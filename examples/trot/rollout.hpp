@@ -42,11 +42,11 @@ recording begin(Controller& controller,
                 const cca::sim::terrain& ground,
                 const cca::sim::disturbance& disturbance,
                 double seconds,
-                const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
+                const cca::sim::robot_world_settings& physics = {}) {
   // The robot's posture, the ground and the disturbance: [put down]
   auto& simulator = controller.template get<"robot.simulator">();
   simulator.put_down(
-      cca::sim::world(model, ground.with_friction(disturbance.friction), put_down(stands, disturbance)),
+      cca::sim::world(ground.with_friction(disturbance.friction), put_down(stands, disturbance), physics),
       disturbance);
   // [put down end]
   recording run;
@@ -60,8 +60,8 @@ recording begin(Controller& controller,
                 const cca::sim::terrain& ground,
                 const cca::sim::disturbance& disturbance,
                 double seconds,
-                const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
-  return begin(controller, controller.template get<"gait">().p, ground, disturbance, seconds, model);
+                const cca::sim::robot_world_settings& physics = {}) {
+  return begin(controller, controller.template get<"gait">().p, ground, disturbance, seconds, physics);
 }
 
 // Starts the controller and steps without a clock until the time is over, the robot falls, or
@@ -85,8 +85,8 @@ recording roll_out(trotting& controller,
                    const cca::sim::disturbance& disturbance,
                    double seconds,
                    Between between,
-                   const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
-  return walked(controller, begin(controller, ground, disturbance, seconds, model), seconds, between);
+                   const cca::sim::robot_world_settings& physics = {}) {
+  return walked(controller, begin(controller, ground, disturbance, seconds, physics), seconds, between);
 }
 
 }  // namespace trot

@@ -59,7 +59,7 @@ struct simulated_trot
     : trot::simulated_trot,
       cca::recordable,
       cca::traceable,
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.trunk.orientation"> {};
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
 
 struct program : cca::robot_program<simulated_trot> {
   program() : bar("trot") {

@@ -30,7 +30,7 @@ struct simulated_walk
     : walking::simulated,
       cca::recordable,
       cca::traceable,
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.trunk.orientation"> {};
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
 
 struct program : cca::robot_program<simulated_walk> {
   program() {

@@ -16,8 +16,9 @@
 namespace cca::page {
 
 struct oncilla_scene {
+  static constexpr int body_count = 1 + 4 * 4;  // the trunk; upper, middle, lower segment and toe of each leg
   static constexpr int extra_count = 3 + 12 + 4 + 1;
-  static constexpr int pose_count = 7 * static_cast<int>(sim::body_count) + 4 * 6;
+  static constexpr int pose_count = 7 * body_count + 4 * 6;
 
   static void extra_of(const sim::world& w, double* to) {
     for (const double x : w.trunk_position()) *to++ = x;
@@ -28,12 +29,12 @@ struct oncilla_scene {
   }
 
   static void poses_of(const sim::world& w, double* to) {
-    const sim::world_state s = w.save();
+    const sim::robot_state s = w.save();
     for (const auto& body : s.bodies) {
       for (const double x : body.position) *to++ = x;
       for (const double x : body.quaternion) *to++ = x;
     }
-    const auto& m = w.model();
+    const auto& m = sim::oncilla_defaults;
     const auto& r = s.bodies[0].rotation;
     const auto targets = w.targets();
     for (std::size_t i = 0; i < sim::leg_count; ++i) {
@@ -73,7 +74,7 @@ struct oncilla_scene {
       json.open('[').add((sim::is_front(i) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips);
       json.add(sim::side_of(i) * m.hip_y).add(-m.trunk_above_hips).close(']');
     }
-    json.close(']').key("weight").add(m.mass() * m.gravity).close('}');
+    json.close(']').key("weight").add(m.mass() * sim::engine_settings{}.gravity).close('}');
   }
 
   template <class Simulator>

@@ -85,9 +85,9 @@ result run(const trot::trotting& start,
     return d;
   };
   const auto first = disturbance_from(0);
-  simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, shape.with_friction(first.friction),
-                                     trot::put_down(controller.get<"gait">().p, first)),
-                     first);
+  simulator.put_down(
+      cca::sim::world(shape.with_friction(first.friction), trot::put_down(controller.get<"gait">().p, first)),
+      first);
   const cca::sim::vector3 began = simulator.world().trunk_position();
   result r{.ground = ground};
   trot::progress_bar bar(ground);

@@ -38,13 +38,13 @@ struct recording {
   void begin(const cca::sim::world& w, std::size_t beats) {
     moments.reserve(beats);
     start = w.trunk_position();
-    beat = w.model().beat();
+    beat = w.model().beat;
     mass = w.mass();
-    gravity = w.model().gravity;
+    gravity = w.settings().engine.gravity;
   }
 
   void note(const cca::sim::world& w) {
-    const cca::sim::robot_reading& r = w.reading();
+    const cca::sim::robot_reading r = w.reading();
     const cca::sim::robot_command taken = w.targets();
     moment m;
     m.time = w.time();

@@ -44,6 +44,15 @@ sim::scene with_table(double gap) {
   return s;
 }
 
+struct arm_without_a_stop : arm::description {
+  static constexpr auto drives = [] {
+    auto all = arm::description::drives;
+    all[0].stops = false;
+    return all;
+  }();
+};
+const double limit_of_first = sim::model_of<arm::description>().stops[0].high;
+
 }  // namespace
 
 TEST_SUITE("contact") {
@@ -135,6 +144,21 @@ TEST_SUITE("contact") {
       }
       CHECK(w.joints()[joint].angle == doctest::Approx(w.model().stops[joint].high).epsilon(0.001));
     }
+  }
+
+  TEST_CASE("limits that bound targets only end no way: the joint that says so goes on, the others stop") {
+    sim::robot_world w(sim::model_of<arm_without_a_stop>());
+    for (int k = 0; k < 4000; ++k) {
+      const pose::vector_type torques = cca::gravity_torques(pose(angles(w)));
+      std::vector<sim::joint_law> laws(7);
+      for (std::size_t i = 0; i < 7; ++i)
+        laws[i] = {.torque = torques[static_cast<Eigen::Index>(i)] + (i == 0 || i == 5 ? 10 : 0),
+                   .damping = 8};
+      w.advance(laws);
+    }
+    CHECK(w.joints()[0].angle > limit_of_first + 0.3);
+    CHECK(w.joints()[5].angle == doctest::Approx(w.model().stops[5].high).epsilon(0.001));
+    CHECK(!w.trouble());
   }
 
   TEST_CASE("a pull as strong as a push with torques leaves the arm at rest") {

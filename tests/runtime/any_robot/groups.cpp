@@ -88,7 +88,7 @@ template <class Controller>
 auto& put_on(Controller& c, const sim::terrain& ground, const sim::disturbance& d) {
   auto& simulator = c.template get<"robot.simulator">();
   simulator.put_down(put_down<built>(trot::put_down(trot::gait().p, d), on(ground.with_friction(d.friction))),
-                     d.plan());
+                     d);
   return simulator;
 }
 

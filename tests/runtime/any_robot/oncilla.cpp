@@ -1,5 +1,6 @@
-// The Oncilla as a described robot: its legs stand in the engine as the closed form has them, and the trot of
-// the examples walks with it on flat ground, slopes and steps, as with the world that was made for it.
+// The Oncilla as a described robot with a port over all joints: its legs stand in the engine as the closed
+// form has them, and the trot of the examples walks with it on flat ground, slopes and steps, as with the
+// ports of the real robot.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,6 +28,8 @@ using namespace world_test;
 using namespace described_oncilla_test;
 
 namespace {
+
+constexpr double gravity = sim::engine_settings{}.gravity;
 
 struct described_trot : trot_of<sim::robot<described>> {};
 
@@ -96,8 +99,8 @@ TEST_SUITE("oncilla as a described robot") {
       const Eigen::Matrix3d upper = w.frame(1).where.turn, lower = w.frame(3).where.turn;
       CHECK((upper - lower).norm() < 1e-6);  // the pantograph
     }
-    CHECK(load == doctest::Approx(numbers.mass() * numbers.gravity).epsilon(0.01));
-    CHECK(felt[2] == doctest::Approx(numbers.gravity).epsilon(0.01));
+    CHECK(load == doctest::Approx(numbers.mass() * gravity).epsilon(0.01));
+    CHECK(felt[2] == doctest::Approx(gravity).epsilon(0.01));
     CHECK(felt.head<2>().norm() < 0.5);
     CHECK(Eigen::Vector4d::Map(w.inertial(0).orientation.data()).norm() == doctest::Approx(1));
   }
@@ -121,7 +124,7 @@ TEST_SUITE("oncilla as a described robot") {
           second.get<"robot.body.simulator">().world().hash());
   }
 
-  TEST_CASE("the trot walks with it as with the world that was made for the Oncilla") {
+  TEST_CASE("the trot walks with it as with cca::sim::oncilla, whose ports it was made for") {
     double here = 0, there = 0;
     constexpr int seeds = 4;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -139,7 +142,7 @@ TEST_SUITE("oncilla as a described robot") {
       REQUIRE(run.moments.size() == 8000);
       there += (run.moments.back().position[0] - run.moments[2000].position[0]) / 6 / seeds;
     }
-    MESSAGE("mean speed, m/s: ", here, ", in the other world: ", there);
+    MESSAGE("mean speed, m/s: ", here, ", of cca::sim::oncilla: ", there);
     CHECK(here == doctest::Approx(there).epsilon(0.05));
   }
 

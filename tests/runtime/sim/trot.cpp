@@ -137,14 +137,13 @@ TEST_SUITE("trot") {
   TEST_CASE(
       "it converges: half of the physics step, and half again, change speed and cost of transport by 3 %") {
     const auto figures = [](int steps_per_beat) {
-      cca::sim::oncilla_model model;
-      model.steps_per_beat = steps_per_beat;
-      model.step = 0.001 / steps_per_beat;
+      cca::sim::robot_world_settings physics;
+      physics.steps_per_beat = steps_per_beat;
       trot::trotting controller;
       controller.load();
       return trot::evaluate(trot::roll_out(
           controller, cca::sim::terrain::flat(), cca::sim::disturbance::none(), 8,
-          [](const cca::sim::world&, double) {}, model));
+          [](const cca::sim::world&, double) {}, physics));
     };
     trot::statistics before = figures(2);
     for (const int steps : {4, 8}) {

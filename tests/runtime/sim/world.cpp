@@ -11,6 +11,7 @@ using namespace test;
 
 namespace {
 const sim::oncilla_model& m = sim::oncilla_defaults;
+constexpr double gravity = 9.81;
 
 sim::world standing(const sim::terrain& ground = sim::terrain::flat()) {
   sim::world w(m, ground, crouched());
@@ -26,7 +27,8 @@ TEST_SUITE("sim world") {
     CHECK(w.hip_height() > 0.16);
     CHECK(w.hip_height() < 0.18);
     CHECK(!w.fallen());
-    CHECK(w.knee_contacts() == 0);
+    for (std::size_t shape = 0; shape < w.model().shapes.size(); ++shape)
+      CHECK((w.contact(shape).touching > 0) == (w.model().shapes[shape].end >= 0));  // the feet alone
   }
 
   TEST_CASE("standing, the feet carry the weight and the sensors show gravity") {
@@ -35,48 +37,27 @@ TEST_SUITE("sim world") {
     constexpr int beats = 2000;  // the springs still swing a little: compare means
     for (int k = 0; k < beats; ++k) {
       w.advance(stand());
-      for (const auto& l : w.reading().legs) {
+      for (const sim::robot_reading r = w.reading(); const auto& l : r.legs) {
         for (std::size_t a = 0; a < 3; ++a) sum[a] += l.foot_force[a] / beats;
       }
       for (std::size_t a = 0; a < 3; ++a) force[a] += w.reading().trunk.specific_force[a] / beats;
     }
-    CHECK(sum[2] == doctest::Approx(w.mass() * m.gravity).epsilon(0.01));
+    CHECK(sum[2] == doctest::Approx(w.mass() * gravity).epsilon(0.01));
     CHECK(std::abs(sum[0]) < 0.5);
     CHECK(std::abs(sum[1]) < 0.5);
-    CHECK(std::hypot(force[0], force[1], force[2]) == doctest::Approx(m.gravity).epsilon(0.01));
-    for (const auto& l : w.reading().legs) CHECK(l.contact());
+    CHECK(std::hypot(force[0], force[1], force[2]) == doctest::Approx(gravity).epsilon(0.01));
+    for (const sim::robot_reading r = w.reading(); const auto& l : r.legs) CHECK(l.contact());
   }
 
   TEST_CASE("in the air there is no contact and no specific force") {
-    sim::oncilla_model weightless = m;
-    weightless.gravity = 0;
+    sim::robot_world_settings weightless;
+    weightless.engine.gravity = 0;
     sim::initial_posture up = crouched();
     up.trunk_velocity = {0, 0, 1};
-    sim::world w(weightless, sim::terrain::flat(), up);
+    sim::world w(sim::terrain::flat(), up, weightless);
     for (int k = 0; k < 300; ++k) w.advance(stand());
-    for (const auto& l : w.reading().legs) CHECK(!l.contact());
+    for (const sim::robot_reading r = w.reading(); const auto& l : r.legs) CHECK(!l.contact());
     CHECK(w.trunk_position()[2] > 0.25);
-  }
-
-  TEST_CASE(
-      "the toe is a spring and no motor: it bends under load, a softer one more, and is straight in the "
-      "air") {
-    const auto bent = [](double stiffness, double gravity) {
-      sim::oncilla_model other = m;
-      other.toe_stiffness = stiffness;
-      other.gravity = gravity;
-      sim::world w(other, sim::terrain::flat(), crouched());
-      for (int k = 0; k < 2000; ++k) w.advance(stand());
-      double sum = 0;
-      for (const auto& l : w.reading().legs) {
-        sum += std::abs(l.toe.angle) / 4;
-        CHECK(std::abs(l.toe.torque + stiffness * l.toe.angle) < 0.02);  // except for the damping
-      }
-      return sum;
-    };
-    CHECK(bent(2, m.gravity) > 0.01);
-    CHECK(bent(2, m.gravity) > 1.5 * bent(4, m.gravity));
-    CHECK(bent(2, 0) < 0.005);
   }
 
   TEST_CASE("torques stay within the limits of the motors for any command") {
@@ -84,11 +65,11 @@ TEST_SUITE("sim world") {
     for (int k = 0; k < 1500; ++k) {
       sim::robot_command wild;
       for (std::size_t i = 0; i < 4; ++i) {
-        const double s = (k / 40 + static_cast<int>(i)) % 2 == 0 ? 1e6 : -1e6;
-        wild[i] = {s, -s, s, 1e9};
+        const double s = (k / 40 + static_cast<int>(i)) % 2 == 0 ? 3 : -3;
+        wild[i] = {s, -s, s, 200};
       }
-      w.advance(wild);
-      for (const auto& l : w.reading().legs) {
+      w.advance(laws_of(wild));
+      for (const sim::robot_reading r = w.reading(); const auto& l : r.legs) {
         REQUIRE(std::abs(l.hip.torque) <= m.hip_motor.torque);
         REQUIRE(l.knee.torque >= 0);
         REQUIRE(l.knee.torque <= m.knee_motor.torque);
@@ -101,28 +82,21 @@ TEST_SUITE("sim world") {
     }
   }
 
-  TEST_CASE("a target that is not finite is ignored: the last finite one is kept, bit for bit") {
+  TEST_CASE("a law that is not finite is ignored: the last finite one is kept, bit for bit") {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
     sim::world sound(m, sim::terrain::flat(), crouched()), fed(sound);
     run(sound, 0, 500);
-    const sim::robot_command last = run(fed, 0, 500);
+    const laws last = run(fed, 0, 500);
     for (int k = 0; k < 200; ++k) {
-      sim::robot_command bad;
-      for (std::size_t i = 0; i < 4; ++i) bad[i] = {nan, inf, -inf, nan};
-      bad[2].hip_stiffness = -5;
+      laws bad = last;
+      bad[1].position = nan, bad[2].stiffness = inf, bad[4].torque = -inf;
       fed.push({nan, inf, 0});
       sound.push({sound.save().push[0], sound.save().push[1], 0});
       fed.advance(bad);
       sound.advance(last);
     }
     CHECK(fed.hash() == sound.hash());
-
-    sim::world never_told(m, sim::terrain::flat(), crouched());
-    sim::robot_command bad;
-    for (auto& c : bad) c = {nan, nan, nan, nan};
-    for (int k = 0; k < 1000; ++k) never_told.advance(bad);
-    CHECK(!never_told.fallen());
   }
 
   TEST_CASE("a push moves it, along the push") {
@@ -130,7 +104,7 @@ TEST_SUITE("sim world") {
     const double before = w.trunk_position()[1];
     w.push({0, 12, 0});
     for (int k = 0; k < 60; ++k) w.advance(stand());
-    w.push({});
+    w.push({0, 0, 0});
     CHECK(w.trunk_velocity()[1] > 0.03);
     CHECK(w.trunk_position()[1] > before);
     for (int k = 0; k < 2000; ++k) w.advance(stand());
@@ -143,7 +117,7 @@ TEST_SUITE("sim world") {
       const double before = w.trunk_position()[1];
       w.push({0, 6, 0});
       for (int k = 0; k < 300; ++k) w.advance(stand());
-      w.push({});
+      w.push({0, 0, 0});
       for (int k = 0; k < 1000; ++k) w.advance(stand());
       return std::abs(w.trunk_position()[1] - before);
     };
@@ -160,7 +134,7 @@ TEST_SUITE("sim world") {
     for (int k = 0; k < 300; ++k) w.advance(stand());
     double load = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-      const sim::foot_account &now = w.foot(i), &then = before.foot(i);
+      const sim::foot_account now = w.foot(i), then = before.foot(i);
       const double slip = now.slip - then.slip;
       load += now.load - then.load;
       CHECK(slip > 0);
@@ -168,7 +142,7 @@ TEST_SUITE("sim world") {
       CHECK(now.friction_work - then.friction_work < 1.45 * mu * slip);  // a pyramid: up to sqrt(2)
       CHECK(slip / (now.load - then.load) < 0.5);                        // m/s
     }
-    CHECK(load == doctest::Approx(w.mass() * m.gravity * 0.3).epsilon(0.05));
+    CHECK(load == doctest::Approx(w.mass() * gravity * 0.3).epsilon(0.05));
   }
 
   TEST_CASE("standing, the feet don't slip") {
@@ -192,7 +166,7 @@ TEST_SUITE("sim world") {
       CAPTURE(ground.name());
       CAPTURE(x);
       sim::world w(m, ground, crouched());
-      sim::world_state state = w.save();
+      sim::robot_state state = w.save();
       const double up = std::max({ground.height(x - 0.2), ground.height(x), ground.height(x + 0.2)});
       for (auto& body : state.bodies) {
         body.position[0] += x;
@@ -204,8 +178,8 @@ TEST_SUITE("sim world") {
       CHECK(!w.fallen());
       CHECK(w.hip_height() == doctest::Approx(0.17).epsilon(0.15));
       double load = 0;
-      for (const auto& l : w.reading().legs) load += l.foot_force[2];
-      CHECK(load == doctest::Approx(w.mass() * m.gravity).epsilon(0.3));  // on a slope it still swings
+      for (const sim::robot_reading r = w.reading(); const auto& l : r.legs) load += l.foot_force[2];
+      CHECK(load == doctest::Approx(w.mass() * gravity).epsilon(0.3));  // on a slope it still swings
     }
   }
 

@@ -15,9 +15,9 @@
 //     using readings = ...;                  // ports over some of the joints: groups.hpp
 //   };
 //
-// The limits stand at the axes of the body: those of `angle` are also the stops of the joints. What a
-// command needs a limit of is in commands.hpp. Errors: robot.description. Example: robots/arm;
-// docs/robots.md.
+// The limits stand at the axes of the body: those of `angle` are also the stops of the joints, unless a drive
+// says `stops = false`. What a command needs a limit of is in commands.hpp. Errors: robot.description.
+// Example: robots/arm; docs/robots.md.
 #pragma once
 
 #include <array>
@@ -49,6 +49,7 @@ struct joint_drive {
   double spring_rest = 0;  // rad, where that spring is slack
   cable_drive cable{};     // with a stiffness: the motor winds it, and acts by it alone
   bool measured = true;    // false: a passive joint that has no port
+  bool stops = true;       // false: the limits of its angle bound targets, nothing stops the joint there
   bool holds = false;      // true: before its first command the servo holds the joint where it is
 
   // Of what a position command pulls with.

@@ -56,8 +56,9 @@ struct disturbance {
     return d;
   }
 
-  push_plan plan() const { return {{pushes[0], pushes[1], pushes[2], another}}; }
-  std::array<double, 3> push_at(double time) const { return plan().force_at(time); }
+  // For cca::sim::simulator.
+  operator push_plan() const { return {{pushes[0], pushes[1], pushes[2], another}}; }
+  std::array<double, 3> push_at(double time) const { return push_plan(*this).force_at(time); }
 };
 
 }  // namespace cca::sim

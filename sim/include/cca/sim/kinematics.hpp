@@ -1,4 +1,4 @@
-// The leg in its own plane, in closed form: forward and inverse kinematics, and the torques of the springs.
+// The leg in its own plane, in closed form: forward and inverse kinematics, and the stretch of the spring.
 //
 // Plane: x forward, z up, origin in the hip. A segment at angle t points to (sin t, -cos t). The upper
 // segment stands at `hip`, the middle one at `hip - knee`, the lower one parallel to the upper (the
@@ -45,17 +45,6 @@ inline double diagonal_length(const oncilla_model& m, double knee) {
 
 inline double diagonal_stretch(const oncilla_model& m, double knee) {
   return std::max(0.0, diagonal_length(m, knee) - diagonal_length(m, m.spring_reference) + m.spring_preload);
-}
-
-// Torque that extends the knee: force times d(length)/d(knee), by virtual work, so the spring neither gains
-// nor loses energy.
-inline double diagonal_spring_torque(const oncilla_model& m, double knee) {
-  const double lever = m.middle_length * m.spring_arm * std::sin(knee) / diagonal_length(m, knee);
-  return m.spring_rate * diagonal_stretch(m, knee) * lever;
-}
-
-inline double toe_spring_torque(const oncilla_model& m, double angle, double speed) {
-  return -m.toe_stiffness * angle - m.toe_damping * speed;
 }
 
 }  // namespace cca::sim

@@ -18,10 +18,10 @@
 
 namespace cca::sim {
 
-template <class R>
+template <class R, class World = robot_world>
 struct robot : robots::graph_of_robot<std::enable_if_t<robots::check_description<R>(), R>,
                                       "simulator",
-                                      simulated_robot<R>,
+                                      simulated_robot<R, World>,
                                       "simulator",
                                       detail::joints_of<R>::template node> {};
 

@@ -7,11 +7,12 @@
 //        "orientation", "angular_velocity", "acceleration"         of the trunk
 //        "left_front_load", "right_front_load", "left_hind_load", "right_hind_load"   on the feet
 //
-// The numbers are those of body.hpp. CHOSEN, besides: the servos, as in cca/sim/oncilla_model.hpp. Abduction
-// and hip cross in one point, so the link between them needs no mass (cca/robots/crossing.hpp).
+// The numbers are those of body.hpp. CHOSEN, besides: the servos; that abduction and hip have no stops, so
+// their ranges bound targets only. They cross in one point, so the link between them needs no mass
+// (cca/robots/crossing.hpp).
 //
-// cca::sim::oncilla is the same robot with the ports of the real one and a world that accounts for work and
-// slip. tests/runtime/any_robot/oncilla.cpp compares the two; robot_on_drives/oncilla.cpp has it on drives.
+// as_built.hpp is the same robot with the ports by which its controllers know it: cca::sim::oncilla.
+// tests/runtime/any_robot/oncilla.cpp compares the two; robot_on_drives/oncilla.cpp has it on drives.
 // docs/robots.md.
 #pragma once
 
@@ -121,8 +122,9 @@ struct description {
   static constexpr bool floats = true;
 
   static constexpr const body_numbers& of = oncilla::body;
-  static constexpr joint_drive abduction{.motor = of.abduction_motor, .stiffness = 80, .damping = 0.8};
-  static constexpr joint_drive hip{.motor = of.hip_motor, .stiffness = 30, .damping = 0.375};
+  static constexpr joint_drive abduction{
+      .motor = of.abduction_motor, .stiffness = 80, .damping = 0.8, .stops = false};
+  static constexpr joint_drive hip{.motor = of.hip_motor, .stiffness = 30, .damping = 0.375, .stops = false};
   static constexpr joint_drive knee{
       .motor = of.knee_motor, .friction = of.joint_friction, .cable = {.stiffness = 80, .damping = 0.4}};
   static constexpr joint_drive toe{.friction = of.toe_damping, .spring = of.toe_stiffness, .measured = false};

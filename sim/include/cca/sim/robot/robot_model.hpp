@@ -43,7 +43,7 @@ struct placed_spring {
   bool only_pulls = false;
 };
 
-// The stops of a joint; infinite: none. A range with one end has no stops.
+// The stops of a joint; infinite: none. A range with one end has no stops, nor has a drive that says so.
 struct joint_stops {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 
@@ -221,6 +221,8 @@ robot_model model_of() {
   m.floats = robots::floats<R>;
   m.drives.assign(R::drives.begin(), R::drives.end());
   m.stops = detail::stops_of(axes_of<body>());
+  for (std::size_t c = 0; c < m.drives.size(); ++c)
+    if (!m.drives[c].stops) m.stops[c] = {};
   m.start.assign(m.drives.size(), 0);
   if constexpr (requires { R::start.size(); }) m.start.assign(R::start.begin(), R::start.end());
   for (const auto& end : tree.ends) m.ends.push_back({end.link, end.where});

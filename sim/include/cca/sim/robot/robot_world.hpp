@@ -78,6 +78,7 @@ public:
   std::string trouble_text() const;
 
   const std::vector<joint_reading>& joints() const { return state().joints; }
+  const std::vector<joint_law>& laws() const { return state().laws; }  // that the drives follow
   const joint_reading& joint(std::string_view name) const {
     return state().joints[index_of(model().names.joints, name, "joint")];
   }
@@ -132,6 +133,7 @@ public:
 
   const robot_model& model() const;
   const scene& around() const;
+  const robot_world_settings& settings() const;
 
   robot_state save() const;
   void restore(const robot_state& s);

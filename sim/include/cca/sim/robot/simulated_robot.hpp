@@ -14,6 +14,9 @@
 // `put_down` sets the world; without it the robot stands alone where R::start has it. `disturb` pushes the
 // base at given times; `world()` is for all else that happens to the robot: pulls, boxes that move. A copy of
 // the node is a snapshot of the world. Cost: a beat of physics (docs/robots.md); the rest is copying numbers.
+//
+//   World   robot_world, or a type derived from it that answers more questions (cca/sim/world.hpp); its
+//           `at_start()` says how it is put down unless a program does
 #pragma once
 
 #include <array>
@@ -34,11 +37,11 @@ namespace cca::sim {
 
 namespace detail {
 
-template <class R, class Axes, class Sensors>
+template <class R, class World, class Axes, class Sensors>
 class simulated_robot_of;
 
-template <class R, class... Axes, class... Sensors>
-class simulated_robot_of<R, axes<Axes...>, robots::sensors<Sensors...>> {
+template <class R, class World, class... Axes, class... Sensors>
+class simulated_robot_of<R, World, axes<Axes...>, robots::sensors<Sensors...>> {
   static constexpr std::size_t count = sizeof...(Axes);
   static constexpr auto coordinates = static_cast<std::size_t>(robots::axes_of_robot<R>::count);
   static constexpr std::array<std::size_t, count> coordinate{
@@ -46,7 +49,7 @@ class simulated_robot_of<R, axes<Axes...>, robots::sensors<Sensors...>> {
   static constexpr std::array<bool, count> turns_without_end{is_continuous<Axes>...};
 
 public:
-  void put_down(robot_world&& world, const push_plan& pushes = {}) {
+  void put_down(World&& world, const push_plan& pushes = {}) {
     world_ = std::move(world);
     servos_ = {};
     disturb(pushes);
@@ -55,8 +58,8 @@ public:
   // While it runs, too.
   void disturb(const push_plan& pushes) { pushes_ = pushes; }
 
-  robot_world& world() { return world_; }
-  const robot_world& world() const { return world_; }
+  World& world() { return world_; }
+  const World& world() const { return world_; }
 
   auto sense() -> std::tuple<out<Axes::label, robots::measured_joint<R, Axes>>...,
                              out<Sensors::name, robots::sensed<R, Sensors>>...> {
@@ -94,6 +97,11 @@ public:
   }
 
 private:
+  static World at_start() {
+    if constexpr (requires { World::at_start(); }) return World::at_start();
+    else return World(model_of<R>());
+  }
+
   // Only where the plan changes, so `world().push` is for everybody.
   void push() {
     const auto now = pushes_.force_at(world_.time());
@@ -160,7 +168,7 @@ private:
     return all;
   }
 
-  robot_world world_{model_of<R>()};
+  World world_ = at_start();
   const std::vector<std::string>* reasons_ = &reasons();
   std::array<robots::joint_servo, count> servos_{};
   push_plan pushes_{};
@@ -190,8 +198,8 @@ struct joints_of {
 
 }  // namespace detail
 
-template <class R>
+template <class R, class World = robot_world>
 class simulated_robot
-    : public detail::simulated_robot_of<R, robots::measured_axes_of<R>, robots::sensors_of<R>> {};
+    : public detail::simulated_robot_of<R, World, robots::measured_axes_of<R>, robots::sensors_of<R>> {};
 
 }  // namespace cca::sim

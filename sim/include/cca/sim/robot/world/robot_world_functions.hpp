@@ -58,6 +58,7 @@ CCA_SIM_INLINE double robot_world::tension(std::size_t spring) const { return in
 
 CCA_SIM_INLINE const robot_model& robot_world::model() const { return in_->model(); }
 CCA_SIM_INLINE const scene& robot_world::around() const { return in_->around(); }
+CCA_SIM_INLINE const robot_world_settings& robot_world::settings() const { return in_->settings(); }
 CCA_SIM_INLINE const robot_state& robot_world::state() const { return in_->state(); }
 CCA_SIM_INLINE robot_state robot_world::save() const { return in_->save(); }
 CCA_SIM_INLINE void robot_world::restore(const robot_state& s) { in_->restore(s); }

@@ -28,7 +28,7 @@
 #include <cca/sim/robot/world/robot_world_settings.hpp>
 #include <cca/sim/robot/scene.hpp>
 #include <cca/sim/robot/shapes_in_engine.hpp>
-#include <cca/sim/robot/springs_in_engine.hpp>
+#include <cca/sim/robot/forces/springs_in_engine.hpp>
 #include <cca/sim/robot/forces/stops_in_engine.hpp>
 #include <cca/sim/robot/touching.hpp>
 
@@ -121,6 +121,7 @@ public:
   const robot_state& state() const { return state_; }
   const robot_model& model() const { return *model_; }
   const scene& around() const { return *scene_; }
+  const robot_world_settings& settings() const { return settings_; }
 
   robot_state save() const {
     robot_state s = state_;
