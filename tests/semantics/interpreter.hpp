@@ -257,51 +257,7 @@ public:
     in.ways_taken = before.ways_taken;
   }
 
-  // Where the compiler knows the clock of a component, it fires by that clock from a switch on: for timed and
-  // full_speed, and for restless, moderate and port_triggered if all inputs that they look at have such a
-  // clock. Here: the same one; else it is left open. Over a delayed wire a part that may be stopped publishes
-  // at any time: what arrives may be from before a stop.
-  struct clock {
-    std::int64_t period, first;
-    bool operator==(const clock&) const = default;
-  };
-  virtual std::optional<clock> clock_of(const call& t, int depth = 0) const {
-    const strategy whole = when(t);
-    const strategy& s = whole.is == strategy::stoppable ? whole.parts[0] : whole;
-    if (s.is == strategy::timed) return clock{s.n, (s.phase % s.n + s.n) % s.n};
-    if (s.is == strategy::full_speed) return clock{1, 0};
-    const bool by_names = s.is == strategy::port_triggered;
-    const bool by_default = s.is == strategy::by_default;
-    if (!by_names && !by_default && s.is != strategy::restless && s.is != strategy::moderate) return {};
-    if (by_default && t.inputs.empty()) return clock{1, 0};
-    std::optional<clock> shared;
-    for (const input& in : t.inputs) {
-      if (!in.wired() || (by_names && std::find(s.names.begin(), s.names.end(), in.name) == s.names.end()))
-        continue;
-      if (in.is == policy::queue || in.is_heard || depth > 20) return {};
-      const way& w = in.ways[0];
-      const call& writer = g.calls[w.writer];
-      if (writer.outputs[w.port].is_maybe || !is_in_parts_of(writer.node, t.node)) return {};
-      if (w.delay > 0 && !g.nodes[writer.node].parts.empty()) return {};
-      auto its = clock_of(writer, depth + 1);
-      if (!its) return {};
-      its->first += w.delay;
-      if (shared && !(*shared == *its)) return {};
-      shared = its;
-    }
-    return shared;
-  }
-  // All parts that have the writer have the reader.
-  bool is_in_parts_of(int writer, int reader) const {
-    for (const int p : g.nodes[writer].parts)
-      if (std::count(g.nodes[reader].parts.begin(), g.nodes[reader].parts.end(), p) == 0) return false;
-    return true;
-  }
-  bool fires_now(call& t) {
-    if (!modes.empty())
-      if (const auto known = clock_of(t)) return k >= known->first && (k - known->first) % known->period == 0;
-    return fires(when(t), t);
-  }
+  virtual bool fires_now(call& t) { return fires(when(t), t); }
 
   // Delayed samples enter their queues, in the order in which they were published.
   virtual void begin() {
@@ -314,6 +270,7 @@ public:
             if (in.ways[w].delay > 0 && arrival(in.ways[w], p) == k && p.beat >= in.ways[w].since) {
               arrived.push_back(p);
               arrived.back().way = static_cast<int>(w);
+              arrived.back().closed_loop = closes_loop(t, in.ways[w]);
             }
         std::sort(arrived.begin(), arrived.end(),
                   [this](const publication& a, const publication& b) { return comes_before(a, b); });
@@ -510,6 +467,7 @@ public:
               in.ways[w].port == static_cast<int>(port) && enters_at_once(in.ways[w])) {
             publication one = p;
             one.way = static_cast<int>(w);
+            one.closed_loop = closes_loop(t, in.ways[w]);
             enter(in, one);
           }
   }
@@ -571,7 +529,7 @@ public:
     if (!in.wired()) return s;
     if (in.shown_call >= 0) return look(t, g.calls[in.shown_call].inputs[in.shown_input]);
     const publication* p = in.is == policy::queue ? head(in) : newest(in);
-    if (p) s = {p->value, p->origin, true, false, in.is == policy::queue ? p->way : 0};
+    if (p) s = {p->value, p->origin, true, false, in.is == policy::queue ? p->way : 0, p->closed_loop};
     s.fresh = fresh(t, in);
     return s;
   }
@@ -719,8 +677,14 @@ public:
 
   virtual bool counts(const call& t, const input& in, const seen_input& s) const {
     if (!in.wired() || !s.arrived) return false;
-    const way& by = in.ways[s.way];
-    return by.delay == 0 || !feeds(t.node, g.calls[by.writer].node);
+    if (in.is_merged && !in.is_heard) return !s.closed_loop;
+    return !closes_loop(t, way_of(in, s));
+  }
+  static const way& way_of(const input& in, const seen_input& s) {
+    return in.ways[std::min(static_cast<std::size_t>(s.way), in.ways.size() - 1)];
+  }
+  bool closes_loop(const call& t, const way& by) const {
+    return by.delay > 0 && feeds(t.node, g.calls[by.writer].node);
   }
 
   // Over any wires; a node feeds itself only if a wire leads back to it. A resource node is one node.

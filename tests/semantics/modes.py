@@ -173,6 +173,19 @@ class SetOfModes:
             while not mode.choose(dropped):
                 pass
             self.count("components that a mode lacks", len(dropped))
+        self.forget({node for node in self.base.components if all(node not in mode.present for mode in self.modes)})
+
+    def forget(self, nodes):
+        """What no mode has: no environment may name it."""
+        def prune(graph):
+            for _, child in graph.children:
+                if isinstance(child, Graph):
+                    prune(child)
+            graph.children = [(name, child) for name, child in graph.children if child not in nodes and not (isinstance(child, Graph) and not child.children)]
+
+        if nodes:
+            prune(self.base.top)
+            self.base.nodes = [node for node in self.base.nodes if node not in nodes]
 
     # ---- which components are the same in all modes ----
 

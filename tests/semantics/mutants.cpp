@@ -298,9 +298,40 @@ struct comes_into_a_new_queue : base {
   }
 };
 
-struct no_clock_after_a_switch : base {
+// The beats in which what it looks at arrives, had it always been so: for timed and full_speed, and for
+// restless, moderate and port_triggered if all inputs that they look at have the same such clock.
+struct by_clock_after_a_switch : base {
   using base::base;
-  std::optional<clock> clock_of(const call&, int) const override { return {}; }
+  struct clock {
+    std::int64_t period, first;
+    bool operator==(const clock&) const = default;
+  };
+  std::optional<clock> clock_of(const call& t, int depth = 0) const {
+    const strategy whole = when(t);
+    const strategy& s = whole.is == strategy::stoppable ? whole.parts[0] : whole;
+    if (s.is == strategy::timed) return clock{s.n, (s.phase % s.n + s.n) % s.n};
+    if (s.is == strategy::full_speed) return clock{1, 0};
+    const bool by_names = s.is == strategy::port_triggered;
+    if (!by_names && s.is != strategy::restless && s.is != strategy::moderate) return {};
+    std::optional<clock> shared;
+    for (const input& in : t.inputs) {
+      if (!in.wired() || (by_names && std::find(s.names.begin(), s.names.end(), in.name) == s.names.end()))
+        continue;
+      if (in.is == policy::queue || in.is_heard || depth > 20) return {};
+      const call& writer = g.calls[in.ways[0].writer];
+      if (writer.outputs[in.ways[0].port].is_maybe || !g.nodes[writer.node].parts.empty()) return {};
+      auto its = clock_of(writer, depth + 1);
+      if (!its) return {};
+      its->first += in.ways[0].delay;
+      if (shared && !(*shared == *its)) return {};
+      shared = its;
+    }
+    return shared;
+  }
+  bool fires_now(call& t) override {
+    if (const auto known = clock_of(t)) return k >= known->first && (k - known->first) % known->period == 0;
+    return base::fires_now(t);
+  }
 };
 
 struct parts_start_at_a_switch : base {
@@ -448,6 +479,7 @@ struct merged_counts_as_its_first_wire : base {
   bool counts(const call& t, const input& in, const seen_input& s) const override {
     seen_input first = s;
     first.way = 0;
+    if (in.is_merged) first.closed_loop = closes_loop(t, in.ways[0]);
     return base::counts(t, in, first);
   }
 };
@@ -664,7 +696,7 @@ struct loops_count : base {
 struct nothing_delayed_counts : base {
   using base::base;
   bool counts(const call&, const input& in, const seen_input& s) const override {
-    return in.wired() && s.arrived && in.ways[s.way].delay == 0;
+    return in.wired() && s.arrived && way_of(in, s).delay == 0;
   }
 };
 
@@ -807,7 +839,8 @@ const std::vector<mutant> all_mutants{
      mutants::made<mutants::each_queue_outlives_a_switch>},
     {"modes: what was published before comes into a new queue",
      mutants::made<mutants::comes_into_a_new_queue>},
-    {"modes: after a switch all fire by what is fresh", mutants::made<mutants::no_clock_after_a_switch>},
+    {"modes: after a switch a clock counts, not what is fresh",
+     mutants::made<mutants::by_clock_after_a_switch>},
     {"modes: stopped parts start at a switch", mutants::made<mutants::parts_start_at_a_switch>},
     {"delayed<N> arrives one beat late", mutants::made<mutants::delayed_one_too_long>},
     {"delayed<N> arrives one beat early", mutants::made<mutants::delayed_one_too_short>},

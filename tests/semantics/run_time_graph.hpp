@@ -49,8 +49,9 @@ struct publication {
   std::int64_t beat = 0;
   std::vector<double> value;
   std::int64_t origin = never;
-  std::int64_t number = 0;  // in the order of all publications
-  int way = 0;              // in a queue: by which way it came
+  std::int64_t number = 0;   // in the order of all publications
+  int way = 0;               // in a queue: by which way it came
+  bool closed_loop = false;  // and whether that closed a loop then: another mode may have other ways
 };
 
 struct output {
@@ -168,6 +169,7 @@ struct seen_input {
   bool arrived = false;         // a sample, no initial value
   bool fresh = false;
   int way = 0;
+  bool closed_loop = false;
 };
 
 }  // namespace semantics

@@ -1,5 +1,5 @@
-// Which components fire in the first beats after a switch: by a clock that the compiler knows, or by what
-// they have not seen yet.
+// Which components fire in the first beats after a switch: as their strategies say, on what they have not
+// seen yet, whether a compiler knows their clocks or not.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -47,8 +47,7 @@ struct idle_log : cca::graph<cca::rate<1000>,
 struct fed_log : heard<in_four_beats, cca::timed<1>, wire> {};
 struct was_inactive : cca::modes<cca::mode<"alone", idle_log>, cca::mode<"heard", fed_log>> {};
 
-// A part that may be stopped: over a wire with a delay its clock is not known, since what arrives may have
-// been published before a stop.
+// The same in a part that may be stopped.
 struct part
     : cca::graph<cca::node<"writer", every_beat, cca::timed<4, 1>>, cca::node<"log", journal>, late_wire> {};
 struct part_alone : cca::graph<cca::node<"writer", every_beat, cca::timed<4, 1>>> {};
@@ -63,6 +62,13 @@ struct writer_comes
     : cca::modes<
           cca::mode<"alone", cca::graph<cca::rate<1000>, cca::node<"part", first_part, cca::stoppable<>>>>,
           cca::mode<"heard", cca::graph<cca::rate<1000>, cca::node<"part", part, cca::stoppable<>>>>> {};
+
+struct timeouts : cca::modes<cca::mode<"alone", alone<every_beat, cca::timed<1>>>,
+                             cca::mode<"heard",
+                                       cca::graph<cca::rate<1000>,
+                                                  cca::node<"writer", every_beat>,
+                                                  cca::node<"log", journal, cca::timeout<4>>,
+                                                  wire>>> {};
 
 constexpr std::int64_t ms = 1'000'000;
 
@@ -86,16 +92,29 @@ TEST_SUITE("modes") {
     CHECK(after_switch_in<Modes>(1) == std::vector<seen>{{1, 1, 1 * ms, true}});  // nothing has come before
   }
 
-  TEST_CASE("a component whose clock is known fires by that") {
-    CHECK(after_switch_in<known_clock>(3) == std::vector<seen>{{5, 5, 5 * ms, true}});
-    CHECK(after_switch_in<known_and_late>(4) == std::vector<seen>{{7, 5, 5 * ms, true}});
-  }
-
-  TEST_CASE("in a part that may be stopped, the clock of what arrives late is not known") {
+  TEST_CASE("so does one whose clock is known where it has always been") {
+    CHECK(after_switch_in<known_clock>(3) == std::vector<seen>{{3, 1, 1 * ms, true}, {5, 5, 5 * ms, true}});
+    CHECK(after_switch_in<known_clock>(1) == std::vector<seen>{{1, 1, 1 * ms, true}});
+    CHECK(after_switch_in<known_and_late>(4) ==
+          std::vector<seen>{{4, 1, 1 * ms, true}, {7, 5, 5 * ms, true}});
+    CHECK(after_switch_in<known_and_late>(2) == std::vector<seen>{{3, 1, 1 * ms, true}});
     CHECK(after_switch_in<in_part, "part.log">(4) ==
           std::vector<seen>{{4, 1, 1 * ms, true}, {7, 5, 5 * ms, true}});
-    // `log` has been there, `writer` comes: nothing arrives two beats after the beat in which it would have
-    // fired
+  }
+
+  TEST_CASE("what has not been published before its component came does not arrive") {
     CHECK(after_switch_in<writer_comes, "part.log">(6) == std::vector<seen>{});
+    CHECK(after_switch_in<writer_comes, "part.log">(5) == std::vector<seen>{{7, 5, 5 * ms, true}});
+  }
+
+  TEST_CASE("a time-out counts from the last firing, or from beat 0") {
+    auto c = started<timeouts>();
+    c.run(cca::for_beats<10>{});
+    c.switch_to<"heard">();
+    c.run(cca::for_beats<6>{});
+    const auto& all = c.get<"log">().all;
+    REQUIRE_EQ(all.size(), 2);
+    CHECK_EQ(all[0].beat, 10);
+    CHECK_EQ(all[1].beat, 14);
   }
 }

@@ -71,6 +71,7 @@ struct call {
   // fast run, and as its strategy says in a wall-clock run.
   clock fast_clock = dynamic_clock;
   // Only in a set of modes (graph/plan/modes/share.hpp):
+  bool open_clock = false;          // what it looks at tells no clock that holds after a switch
   bool unsteady = false;            // its clock is known, but another mode has another one, or lacks the node
   bool other_clocks = false;        // another mode has another one
   std::int64_t longest_period = 1;  // in beats, of all modes

@@ -57,7 +57,7 @@ inline constexpr heard_count heard_count_of<deployed_mode<D, I>> =
 
 template <class D, int I>
 inline constexpr flat_of<deployed_mode<D, I>> plan_of<deployed_mode<D, I>> =
-    then<deployed_mode<D, I>>(plan_of<typename deployed_mode<D, I>::cca_architecture>, [](flat_view g) {
+    then<deployed_mode<D, I>>(plan_in_set<typename D::cca_architecture, I>(), [](flat_view g) {
       g.scopes[0].graph = &graph_facts<deployed_mode<D, I>>::value;
       return place_components(g, environments_of<D>::all.data(), environment_count<D>,
                               &modes_of<typename D::cca_architecture>::value);

@@ -4,6 +4,7 @@
 
 #include <cca/graph/layout/types.hpp>
 #include <cca/graph/modes.hpp>
+#include <cca/graph/plan/modes/clocks_after_switch.hpp>
 #include <cca/graph/plan/modes/share.hpp>
 #include <cca/graph/plan/plan.hpp>
 #include <cca/graph/traceable.hpp>
@@ -11,9 +12,8 @@
 namespace cca::detail {
 
 // A plan to look at; nothing is written through it.
-template <class Graph>
-inline constexpr flat_view shown_plan = [] {
-  const auto& plan = plan_of<Graph>;
+template <class Plan>
+constexpr flat_view show(const Plan& plan) {
   flat_view v = plan.counts;
   v.scopes = const_cast<scope*>(plan.scopes.data());
   v.nodes = const_cast<component_node*>(plan.nodes.data());
@@ -25,7 +25,9 @@ inline constexpr flat_view shown_plan = [] {
   v.parts = const_cast<stoppable_part*>(plan.parts.data());
   v.requests = const_cast<part_request*>(plan.requests.data());
   return v;
-}();
+}
+template <class Graph>
+inline constexpr flat_view shown_plan = show(plan_of<Graph>);
 
 template <class Item>
 struct item_of_modes {
@@ -127,6 +129,34 @@ struct modes_of<M, list<Items...>, std::integer_sequence<int, Number...>> {
 template <class M>
 inline constexpr int mode_count = modes_of<M>::count;
 
+// The plan of mode I, whose clocks hold after a switch. In a deployment each mode begins with it.
+template <class M, int I, class Graph = typename modes_of<M>::template graph<I>>
+inline constexpr flat_of<Graph> settled_plan =
+    then<Graph>(plan_of<Graph>, [](flat_view g) { return settle_clocks(g, I, modes_of<M>::value); });
+template <class M, int I>
+constexpr const auto& plan_in_set() {
+  if constexpr (is_checked_set<M>) return plan_of<typename modes_of<M>::template graph<I>>;
+  else return settled_plan<M, I>;
+}
+template <class M, int I>
+inline constexpr flat_view shown_in_set = show(plan_in_set<M, I>());
+
+template <class M, class Numbers = std::make_integer_sequence<int, mode_count<M>>>
+struct settled_modes;
+template <class M, int... I>
+struct settled_modes<M, std::integer_sequence<int, I...>> {
+  static constexpr auto all = [] {
+    auto modes = modes_of<M>::all;
+    const auto settle = [&]<int Mode>(std::integral_constant<int, Mode>) {
+      if constexpr (Graph<typename modes_of<M>::template graph<Mode>>)
+        modes[std::size_t{Mode}].plan = &shown_in_set<M, Mode>;
+    };
+    (settle(std::integral_constant<int, I>{}), ...);
+    return modes;
+  }();
+  static constexpr modes_info value{modes_of<M>::value.name, all.data(), mode_count<M>, is_checked_set<M>};
+};
+
 template <Modes M>
 struct graph_facts<M> {
   static constexpr graph_info value{modes_of<M>::value.name, nullptr, 0, modes_of<M>::sizes, nullptr};
@@ -150,7 +180,7 @@ template <class M>
 consteval shared_plan<M> share() {
   shared_plan<M> result;
   const name_table names{result.names.data(), result.names.size() - 1};
-  result.graph.keep(share(result.graph.view(), names, modes_of<M>::value));
+  result.graph.keep(share(result.graph.view(), names, settled_modes<M>::value));
   return result;
 }
 template <class M>
@@ -253,9 +283,8 @@ inline constexpr int calls_in_part<mode_part<M, I>> = calls_in_part<typename mod
 
 template <class M, int I>
 inline constexpr flat_of<mode_part<M, I>> plan_of<mode_part<M, I>> =
-    then<mode_part<M, I>>(plan_of<typename mode_part<M, I>::graph>, [](flat_view g) {
-      return store_for_all(
-          g, shared_plan_of<M>.view_of(shown_plan<typename mode_part<M, I>::graph>, shown_plan<M>));
+    then<mode_part<M, I>>(plan_in_set<M, I>(), [](flat_view g) {
+      return store_for_all(g, shared_plan_of<M>.view_of(shown_in_set<M, I>, shown_plan<M>));
     });
 
 // The shared numbers of a mode's nodes.

@@ -176,7 +176,7 @@ struct sharing {
       ++to.input_count;
     }
     own.modes |= bit_of(mode);
-    own.counts_vary |= in.counts_vary;
+    own.counts_vary |= in.counts_vary || (is_for_many(in) && in.counts != own.counts);
     own.counts_arrivals |= in.counts_arrivals;
   }
   constexpr void join_way(const mode_view& view, int mode, int i) {

@@ -33,6 +33,9 @@ constexpr clock clock_in_part(const flat_view& g, const call& t) {
   });
 }
 
+// At run time, whatever its clock would be.
+constexpr bool is_asked(const call& t) { return t.irregular || t.open_clock; }
+
 constexpr flat_view find_clocks(flat_view g) {
   // First the clocks that depend on no arrivals: a delayed wire may lead back to an earlier function.
   // What comes from another environment may come late, and from a free-running one at any time.
@@ -43,14 +46,14 @@ constexpr flat_view find_clocks(flat_view g) {
   };
   for (int t = 0; t < g.call_count; ++t) {
     const auto& strategy = strategy_of_call(g, g.calls[t]);
-    set(t, g.calls[t].elsewhere || g.calls[t].irregular ? dynamic_clock
+    set(t, g.calls[t].elsewhere || is_asked(g.calls[t]) ? dynamic_clock
            : part_of_call(g, t) >= 0                    ? strategy.in_combination
                                                         : strategy.alone);
   }
   for (int r = 0; r < g.order_count; ++r) {
     const int c = g.order[r];
     const auto& t = g.calls[c];
-    if (t.own_clock.dynamic() && !t.irregular)
+    if (t.own_clock.dynamic() && !is_asked(t))
       set(c, part_of_call(g, c) >= 0 ? clock_in_part(g, t) : clock_of(g, t));
   }
 
