@@ -38,6 +38,10 @@ private:
                          [[maybe_unused]] std::string_view transport) {
     if constexpr (cca::Graph<Graph>) {
       auto plan = detail::plan_of<Graph>;
+      // A deployment has the clocks that hold after a switch; here those of each mode by itself.
+      if constexpr (requires { typename Graph::cca_architecture; })
+        for (std::size_t c = 0; c < plan.calls.size(); ++c)
+          plan.calls[c].fires = detail::plan_of<typename Graph::cca_architecture>.calls[c].fires;
       const std::string name = "m" + std::to_string(mode);
       writer of_mode(plan.view(), transport, name + "_");
       return writer::box(as_dot, name, detail::modes_of<M>::value.modes[mode].name) +

@@ -76,7 +76,7 @@ TEST_CASE("the recording of a deployment of modes has each switch once, and is r
   CHECK(count["/gait/angles"] == 200 + 199);
   CHECK(count["/stance/height"] == 100 + 100);
   CHECK(count["/leg/angles"] == 600);
-  CHECK(count["/limits/safe"] == 597);
+  CHECK(count["/limits/safe"] == 597 - 3 * 2);  // it waits for the first sample of what comes
 
   const auto result = cca::recording::replay<split>(file.path);
   INFO(result);
