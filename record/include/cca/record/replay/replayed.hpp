@@ -159,6 +159,11 @@ struct node_types<recording::replaying<Graph>, Node> {
   using strategy = typename node_types<Graph, Node>::strategy;
 };
 
+// The clocks that hold after a switch are those of the deployment, whose samples are played.
+template <DeploymentOfModes D>
+  requires has_free_running<D>
+inline constexpr bool is_checked_set<recording::replaying<D>> = true;
+
 // A replay does not know in which beats the samples of a free-running environment will arrive. Of a set of
 // modes what reads them fires by its clock while a fast run is replayed, as it did.
 template <Deployment D>
@@ -168,7 +173,11 @@ inline constexpr flat_of<recording::replaying<D>> plan_of<recording::replaying<D
       for (int c = 0; c < g.call_count; ++c) {
         auto& one = g.calls[c];
         one.irregular = is_free_node<D>(one.node);
-        if (DeployedMode<D> && !one.irregular) one.fast_clock = one.own_clock;
+        if constexpr (DeployedMode<D>) {
+          const auto& played = plan_of<D>.calls[array_size(c)];
+          one.open_clock = played.open_clock;
+          if (!one.irregular) one.fast_clock = played.own_clock;
+        }
       }
       for (int i = 0; i < g.input_count; ++i) g.inputs[i].in_beat = g.inputs[i].own_initial = false;
       for (int o = 0; o < g.output_count; ++o) {
