@@ -245,6 +245,13 @@ class Figures(Tree):
 | g++ | `-O2` | 1,000 / 1,100 / 2,500 | **0.909** | 1 |
 | clang | `-O2` | 2,000 / 2,040 / 9,400 | **0.980** | 1 |
 
+## Graphs that nobody tuned
+
+| compiler | flags | mean | most | least |
+|---|---|---|---|---|
+| g++ | `-O2` | **1.051** | **1.124** | 0.993 |
+| clang | `-O2` | **1.004** | **1.038** | 0.902 |
+
 ## Compiling
 
 | graph | compiler | nodes | s | s above Eigen |
@@ -255,6 +262,7 @@ class Figures(Tree):
 | chain, a type each | g++ | 100 | 2.6 | 1.7 |
 """
     README = ("It takes 0.91 to 0.98 times the instructions of the same arithmetic by hand, the other 2.5 to 4.7 times those of the graph.\n"
+              "It takes 1.00 to 1.05 times on average in graphs that nobody tuned, and 0.90 to 1.12 times in single ones.\n"
               "It takes 0.7 to 0.8 s more than Eigen's header alone, or 1.7 to 1.7 s if each node has a type of its own.\n")
 
     def found(self, readme, page=PAGE):
@@ -267,8 +275,8 @@ class Figures(Tree):
         self.assertEqual(self.found(self.README.replace("0.91", "0.90")),
                          ["README.md: `0.90 to 0.98 times the instructions of the same arithmetic by hand`: docs/performance.md has 0.91 to 0.98"])
         self.assertEqual(len(self.found(self.README.replace("0.7 to 0.8", "0.7 to 1.9"))), 1)
-        self.assertEqual(len(self.found("")), 4)
-        self.assertEqual(len(self.found(self.README, "")), 4)
+        self.assertEqual(len(self.found("")), 6)
+        self.assertEqual(len(self.found(self.README, "")), 6)
 
 
 class Rules(Tree):
