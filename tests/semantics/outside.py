@@ -48,12 +48,9 @@ def may_be_seen(found, policy):
 
 
 def rests_of_spread(made, path, inside):
-    """The beats before which somebody outside stops a part of an architecture that is spread, and starts it again, or None.
-
-    A process changes only parts that it runs wholly.
-    """
+    """The beats before which somebody outside stops a part of an architecture that is spread, and starts it again, or None."""
     rng = random.Random(f"{made.seed} {path} asked from outside")
-    if rng.randrange(100) >= 60 or (made.in_processes and len(inside) > 1):
+    if rng.randrange(100) >= 60:
         return None
     first = rng.randrange(1, 90)
     return first, first + rng.randrange(1, 60)
