@@ -46,6 +46,13 @@ struct queue_under_test {
   void take_one() { waiting.take(); }
 };
 
+struct all_arrive {
+  template <int>
+  bool arrives(const auto&) const {
+    return true;
+  }
+};
+
 // The same queue twice: one takes what the beats admit, one takes all samples.
 template <int Room, full_kind Full>
 void check_same(unsigned seed, int most_cycles) {
@@ -62,12 +69,12 @@ void check_same(unsigned seed, int most_cycles) {
     for (int cycles = up_to(3) == 0 ? up_to(most_cycles) : up_to(3); cycles > 0; --cycles) {
       if (up_to(4) > 0) {
         ++published;
-        results.put<output_of_eyes>(Eigen::Matrix<double, 1, 1>(published), 0);
+        results.put<output_of_eyes>(Eigen::Matrix<double, 1, 1>(published), 0, k);
         of_all.put(published);
       }
       results.end_cycle();
     }
-    arrivals.admit(*shared, k);
+    arrivals.admit(*shared, k, all_arrive());
     const auto& ring = shared->gathered<output_of_eyes>();
     for (std::remove_cvref_t<decltype(ring)>::sample one; ring.take(next, k + 1, one);) {
       CHECK_EQ(one.published_in, k);
