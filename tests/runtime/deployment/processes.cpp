@@ -33,6 +33,19 @@ struct over_shared_memory {
   }
 };
 
+struct tick {
+  auto process() -> cca::out<"y", level> { return 1.0; }
+};
+struct rare {
+  void process(cca::in<"x", level>) {}
+};
+struct sleepy : cca::deployment<cca::graph<cca::rate<1000>,
+                                           cca::node<"tick", tick>,
+                                           cca::node<"rare", rare, cca::timed<20>>,
+                                           cca::wire<"tick.y", "rare.x", cca::delayed<20>>>,
+                                cca::environment<"robot", cca::nodes<"tick">>,
+                                cca::environment<"mind", cca::other_nodes>> {};
+
 // While it waits for the others to call `run`, its process stops.
 struct stands_still_while_it_waits {
   bool is_over() const {
@@ -101,6 +114,20 @@ TEST_SUITE("deployed in processes") {
   }
   TEST_CASE("the robot's side idles while another process stands still") {
     transport_laws::idles_while_another_stands<over_shared_memory>();
+  }
+  TEST_CASE("`between` is called after each beat, also of an environment that has nothing to do in most") {
+    const std::string name = over_shared_memory::other_name();
+    const auto looks_in = [&](const char* environment) {
+      cca::deployed<sleepy> d(cca::only{environment}, over_shared_memory::transport(name));
+      d.load();
+      d.start();
+      int looks = 0;
+      d.run(cca::for_beats<45>{}, cca::as_fast_as_possible(), [&](auto&) { ++looks; });
+      return std::to_string(looks);
+    };
+    process mind([&] { return looks_in("mind"); });
+    CHECK_EQ(looks_in("robot"), "45");
+    CHECK_EQ(mind.said(), "45");
   }
   TEST_CASE("who stands still since it has called run is waited for as long as one that has not") {
     const std::string name = over_shared_memory::other_name();

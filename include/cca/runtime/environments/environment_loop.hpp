@@ -309,8 +309,9 @@ private:
     own().slowest.end(beat, needed);
   }
 
-  // Skips the beats in which nothing can fire. True: there is no other before the end.
+  // Skips the beats in which nothing can fire, unless all meet after each. True: there is no other.
   bool is_asleep_until(std::int64_t end) {
+    if (state.is_exact && state.ahead == 0) return k == end;
     if (const std::int64_t next = std::min(next_active_beat<D, E>(k), end); next > k) {
       k = next;
       announce();
