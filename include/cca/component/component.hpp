@@ -27,14 +27,17 @@ template <class Type, phase_of_beat Phase>
 struct function_of;
 template <class Type>
 struct function_of<Type, phase_of_beat::sense> {
+  static constexpr auto value = &Type::sense;
   using type = decltype(&Type::sense);
 };
 template <class Type>
 struct function_of<Type, phase_of_beat::process> {
+  static constexpr auto value = &Type::process;
   using type = decltype(&Type::process);
 };
 template <class Type>
 struct function_of<Type, phase_of_beat::act> {
+  static constexpr auto value = &Type::act;
   using type = decltype(&Type::act);
 };
 

@@ -221,17 +221,15 @@ private:
   CCA_INLINE result call(const firing& now, std::index_sequence<I...>) const {
     using ports = function_ports<list<Parameters...>, list<>>;
     [[maybe_unused]] const beat time = beat_of_seconds::make(this_beat(), period, now.dt);
-    auto& self = component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
-    if constexpr (c.phase == phase_of_beat::process)
-      CCA_INLINE_CALL return (self.*simplified_first<&component::process>())(
-          argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
-              b, source(ports::input_of_parameter[I]), time, now.last)...);
-    else if constexpr (c.phase == phase_of_beat::sense)
-      CCA_INLINE_CALL return (self.*simplified_first<&component::sense>())(
+    [[maybe_unused]] auto& self =
+        component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
+    constexpr auto function = function_of<component, c.phase>::value;
+    if constexpr (std::is_member_function_pointer_v<decltype(function)>)
+      CCA_INLINE_CALL return (self.*simplified_first<function>())(
           argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
               b, source(ports::input_of_parameter[I]), time, now.last)...);
     else
-      CCA_INLINE_CALL return (self.*simplified_first<&component::act>())(
+      CCA_INLINE_CALL return simplified_first<function>()(
           argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
               b, source(ports::input_of_parameter[I]), time, now.last)...);
   }
