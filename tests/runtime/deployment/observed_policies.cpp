@@ -103,6 +103,14 @@ std::vector<std::string> told(Played& c) {
   return all;
 }
 
+struct rare : cca::graph<cca::rate<1000>,
+                         cca::node<"a", counter>,
+                         cca::node<"slow", counter, cca::timed<5>>,
+                         cca::observe<"slow.y", cca::delayed<2>, cca::queue<1, cca::drop_oldest>>> {};
+struct rare_apart : cca::deployment<rare,
+                                    cca::environment<"one", cca::nodes<"a">>,
+                                    cca::environment<"two", cca::nodes<"slow">>> {};
+
 // Slow and fast listeners of a component elsewhere.
 struct heard
     : cca::graph<
@@ -149,6 +157,18 @@ TEST_SUITE("policies of what is observed") {
       CHECK_EQ(is, expected);
     }
     CHECK_EQ(one.dropped(), d.dropped());
+  }
+
+  TEST_CASE("of the graph: what arrives while its environment has nothing to do is there") {
+    auto one = running<cca::controller<rare>>();
+    auto d = running<cca::deployed<rare_apart>>();
+    for (int i = 0; i < 9; ++i) {
+      CAPTURE(i);
+      one.run(cca::for_some_beats{i});
+      d.run(cca::for_some_beats{i});
+      CHECK_EQ(told(d), told(one));
+      CHECK_EQ(d.dropped(), one.dropped());
+    }
   }
 
   TEST_CASE("of the graph: the space is that of the output, whatever its component reads") {

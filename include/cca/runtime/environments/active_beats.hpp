@@ -63,7 +63,8 @@ inline constexpr auto environment_clocks<D, E> = [] {
   return clocks;
 }();
 
-// When samples enter its queues that must not wait for it elsewhere, or may be rejected.
+// When samples enter its queues that must not wait for it elsewhere, or may be rejected, or that a program
+// sees between two runs.
 template <class D, int E>
 inline constexpr auto entry_clocks = [] {
   clocks_of_environment<D> clocks;
@@ -73,7 +74,7 @@ inline constexpr auto entry_clocks = [] {
     const input& in = g.inputs[i];
     if (!is_queued(in) || environment_of(g, in.call) != E) continue;
     const output& from = g.outputs[in.writer];
-    if (environment_of(g, from.call) != E || may_fault_at_begin(in))
+    if (environment_of(g, from.call) != E || may_fault_at_begin(in) || in.outside)
       clocks.add(shifted(published(g, from), in.delay));
   }
   return clocks;
