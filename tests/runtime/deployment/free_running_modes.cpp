@@ -194,37 +194,41 @@ TEST_SUITE("deployed free-running modes") {
 
   TEST_CASE("a free-running component hangs: all others switch, and its result comes if its mode has it") {
     const cycles_of quick(500);
-    cca::deployed<turning<>> d;
-    begin(d);
-    std::size_t before = 0, while_hanging = 0, switches = 0;
-    std::string mode(d.mode());
-    d.run(cca::for_beats<400>{}, cca::at_speed(0.5), [&](auto& now) {
-      const auto beat = now.beat_index();
-      if (beat == 100) cycle_hangs = true;
-      if (beat == 150) before = firings(now.template get<"sees">()).all;
-      if (beat > 150 && beat < 300 && now.mode() != mode) ++switches, mode = now.mode();
-      if (beat == 300) {
-        while_hanging = firings(now.template get<"sees">()).all - before;
-        cycle_hangs = false;
-      }
-      return true;
-    });
-    CHECK_FALSE(d.fault());
-    CHECK_EQ(d.beat_index(), 400);
-    CHECK_EQ(d.overruns(), d.figures()[0].overruns);
-    CHECK_GT(before, 20);
-    CHECK_EQ(while_hanging, 0);
-    CHECK_GE(switches, 15);
-    const firings sees(d.get<"sees">()), aimed(d.get<"aimed">()), counts(d.get<"counts">());
-    CHECK_GT(counts.all, 20);
-    CHECK_EQ(counts.without, 0);
-    CHECK_GT(sees.all, before + 20);  // afterwards it goes on
-    CHECK_EQ(sees.without, 0);
-    CHECK_EQ(aimed.without, 0);
-    CHECK_GT(aimed.all, 20);
-    CHECK_EQ(d.get<"reader">().aim.old, 0);
-    CHECK_EQ(d.get<"reader">().queue.old, 0);
-    CHECK_GE(d.get<"reader">().eyes.old, 1);  // that of the cycle which hung
+    bool has_come = false;  // the result of the cycle which hung: not if its mode has ended
+    for (int run = 0; run < 10 && !has_come; ++run) {
+      cca::deployed<turning<>> d;
+      begin(d);
+      std::size_t before = 0, while_hanging = 0, switches = 0;
+      std::string mode(d.mode());
+      d.run(cca::for_beats<400>{}, cca::at_speed(0.5), [&](auto& now) {
+        const auto beat = now.beat_index();
+        if (beat == 100) cycle_hangs = true;
+        if (beat == 150) before = firings(now.template get<"sees">()).all;
+        if (beat > 150 && beat < 300 && now.mode() != mode) ++switches, mode = now.mode();
+        if (beat == 300) {
+          while_hanging = firings(now.template get<"sees">()).all - before;
+          cycle_hangs = false;
+        }
+        return true;
+      });
+      CHECK_FALSE(d.fault());
+      CHECK_EQ(d.beat_index(), 400);
+      CHECK_EQ(d.overruns(), d.figures()[0].overruns);
+      CHECK_GT(before, 20);
+      CHECK_EQ(while_hanging, 0);
+      CHECK_GE(switches, 15);
+      const firings sees(d.get<"sees">()), aimed(d.get<"aimed">()), counts(d.get<"counts">());
+      CHECK_GT(counts.all, 20);
+      CHECK_EQ(counts.without, 0);
+      CHECK_GT(sees.all, before + 20);  // afterwards it goes on
+      CHECK_EQ(sees.without, 0);
+      CHECK_EQ(aimed.without, 0);
+      CHECK_GT(aimed.all, 20);
+      CHECK_EQ(d.get<"reader">().aim.old, 0);
+      CHECK_EQ(d.get<"reader">().queue.old, 0);
+      has_come = d.get<"reader">().eyes.old >= 1;
+    }
+    CHECK(has_come);
   }
 
   TEST_CASE("in a wall-clock run with cycles shorter than a beat, all come and none is lost") {

@@ -258,9 +258,10 @@ TEST_SUITE("live access to a deployment") {
       beside(d, live, pace, [&] {
         wait_until([&] { return live.load(file); });
         wait_until([&] { return live.beat_index() > 100; });
-        CHECK_FALSE(live.is_taken());  // nothing fires in `rest`
+        // Nothing fires in `rest`; but in a fast run all meet after each beat.
+        CHECK_EQ(live.is_taken(), std::is_same_v<decltype(pace), cca::as_fast_as_possible>);
       });
-      CHECK(live.is_taken());  // the end of the run took it
+      CHECK(live.is_taken());  // at the latest the end of the run took it
       CHECK_EQ(d.get<"robot">().p.slope, 5.0);
       CHECK_EQ(d.get<"thinker">().p.slope, 6.0);
       CHECK_EQ(d.get<"planner">().p.slope, 7.0);
