@@ -24,13 +24,14 @@ struct eyes {
   };
   parameters p{1e9, 0.5};
   double kept = 0, seconds = 0;
-  std::int64_t cycles = 0, fresh = 0, last = -1, oldest_age = 0;
+  std::int64_t cycles = 0, fresh = 0, first = -1, last = -1, oldest_age = 0;
   bool went_back = false;
 
   auto process(cca::in<"image", state> image, cca::beat now)
       -> std::tuple<cca::out<"level", level>, cca::maybe<"glance", level>, cca::fault> {
     ++cycles;
     ++cycles_begun;
+    if (first < 0) first = now.index();
     fresh += image.fresh();
     seconds += now.dt();
     went_back = went_back || now.index() < last;
