@@ -76,9 +76,9 @@ constexpr flat_view take_part(flat_view g, int environment) {
     g.may_fault |= may_fault_in(g, c);
   }
   g.order_count = count;
+  forget_storage(g);
   for (int i = 0; i < g.input_count; ++i) {
     auto& in = g.inputs[i];
-    in.in_beat = in.known_now = in.own_initial = false;
     in.watched &= is_here(in.call);
     g.may_fault |= !g.calls[in.call].elsewhere &&
                    (may_fault_at_begin(in) || (crosses_at_once(g, in) && in.wire->full == full_kind::reject));
@@ -86,9 +86,6 @@ constexpr flat_view take_part(flat_view g, int environment) {
   find_missing(g);
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];
-    out.storage = storage_kind::none;
-    out.depth = 0;
-    out.initial_of = nullptr;
     out.watched &= is_here(out.call);
     if (is_here(out.call))
       for_each_reader(g, o, [&](int reader, int) { out.leaves |= reader != environment; });

@@ -165,13 +165,7 @@ constexpr flat_view settle_clocks(flat_view g, int mode, const modes_info& all) 
   bool any = false;
   for (int c = 0; c < g.call_count; ++c) any |= g.calls[c].open_clock = clocks.is_open(c);
   if (!any) return g;
-  for (int i = 0; i < g.input_count; ++i)
-    g.inputs[i].in_beat = g.inputs[i].known_now = g.inputs[i].own_initial = false;
-  for (int o = 0; o < g.output_count; ++o) {
-    g.outputs[o].storage = storage_kind::none;
-    g.outputs[o].depth = 0;
-    g.outputs[o].initial_of = nullptr;
-  }
+  forget_storage(g);
   return choose_storage(find_clocks(g));
 }
 

@@ -83,6 +83,17 @@ struct storage_step {
   }
 };
 
+// Before the step is made once more, for other clocks or for a part of the graph.
+constexpr void forget_storage(flat_view& g) {
+  for (int i = 0; i < g.input_count; ++i)
+    g.inputs[i].in_beat = g.inputs[i].known_now = g.inputs[i].own_initial = false;
+  for (int o = 0; o < g.output_count; ++o) {
+    g.outputs[o].storage = storage_kind::none;
+    g.outputs[o].depth = 0;
+    g.outputs[o].initial_of = nullptr;
+  }
+}
+
 // The step.
 constexpr flat_view choose_storage(flat_view g) {
   storage_step step{g};
