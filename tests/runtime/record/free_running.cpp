@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <thread>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 #include <cca/runtime/transports/shared_memory.hpp>
 
 #include "../../laws/process.hpp"
+#include "../../laws/temporary_file.hpp"
 #include "../deployment/free_running.hpp"
 
 using namespace deployment_test;
@@ -47,28 +47,23 @@ struct with_camera : cca::deployment<switched,
                                      cca::environment<"eyes", cca::other_nodes, cca::free_running>>,
                      cca::recordable {};
 
-std::string file() {
-  return (std::filesystem::temp_directory_path() / ("cca_free_" + std::to_string(::getpid()) + ".mcap"))
-      .string();
-}
-
 // Runs and replays, and again slower where the busy machine left out beats of the mind.
 template <class D, class F>
 cca::recording::replay_result recorded(F runs) {
   cca::recording::replay_result result;
+  const laws::temporary_file file("free.mcap");
   for (const double speed : {0.5, 0.1, 0.03}) {
     {
       cca::deployed<D> d;
-      const cca::recording::recorder into(d, file());
+      const cca::recording::recorder into(d, file.path);
       d.load();
       d.start();
       runs(d, cca::at_speed(speed));
       d.stop();
     }
-    result = cca::recording::replay<D>(file());
+    result = cca::recording::replay<D>(file.path);
     if (result.ended_early.find("left out beats") == std::string::npos) break;
   }
-  std::filesystem::remove(file());
   return result;
 }
 
@@ -117,7 +112,7 @@ TEST_SUITE("recording of what runs freely") {
 
   TEST_CASE("the process of the first environment has all that a replay needs") {
     const std::string memory = "/cca_free_" + std::to_string(::getpid());
-    const std::string base = file();
+    const laws::temporary_file mind("mind.mcap"), eye("eyes.mcap"), robot("robot.mcap");
     const auto run = [&](const char* environment, const std::string& into) {
       cycle_in_us = 4'000;
       cca::deployed<seen> d(cca::only{environment}, cca::shared_memory(memory));
@@ -128,14 +123,13 @@ TEST_SUITE("recording of what runs freely") {
       d.stop();
       return std::string("done");
     };
-    process minds([&] { return run("mind", base + ".mind"); });
-    process eyes([&] { return run("eyes", base + ".eyes"); });
-    process robots([&] { return run("robot", base + ".robot"); });
+    process minds([&] { return run("mind", mind.path); });
+    process eyes([&] { return run("eyes", eye.path); });
+    process robots([&] { return run("robot", robot.path); });
     CHECK_EQ(robots.said(), "done");
     CHECK_EQ(eyes.said(), "done");
     CHECK_EQ(minds.said(), "done");
-    const auto result = cca::recording::replay<seen>(base + ".robot");
+    const auto result = cca::recording::replay<seen>(robot.path);
     check_whole(result, 100, 100);
-    for (const char* one : {".mind", ".eyes", ".robot"}) std::filesystem::remove(base + one);
   }
 }

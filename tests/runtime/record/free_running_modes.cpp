@@ -3,12 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <unistd.h>
 
 #include <cca/record.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "../deployment/free_modes.hpp"
 
 using namespace free_modes;
@@ -16,11 +15,6 @@ using namespace free_modes;
 namespace {
 
 struct recorded : turning<>, cca::recordable {};
-
-std::string file() {
-  return (std::filesystem::temp_directory_path() / ("cca_free_modes_" + std::to_string(::getpid()) + ".mcap"))
-      .string();
-}
 
 }  // namespace
 
@@ -30,9 +24,10 @@ TEST_SUITE("recording of free-running modes") {
       CAPTURE(us);
       const cycles_of these(us);
       std::size_t cycles = 0;
+      const laws::temporary_file file("free_modes.mcap");
       {
         cca::deployed<recorded> d;
-        const cca::recording::recorder into(d, file());
+        const cca::recording::recorder into(d, file.path);
         cycle_in_us = 0;
         d.load();
         d.start();
@@ -52,8 +47,7 @@ TEST_SUITE("recording of free-running modes") {
         d.stop();
       }
       CHECK_GT(cycles, 20);
-      const auto result = cca::recording::replay<recorded>(file());
-      std::filesystem::remove(file());
+      const auto result = cca::recording::replay<recorded>(file.path);
       CAPTURE(result.difference);
       CAPTURE(result.ended_early);
       CHECK(result);

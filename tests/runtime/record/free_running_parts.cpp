@@ -3,12 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <unistd.h>
 
 #include <cca/record.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "../deployment/free_running_parts.hpp"
 
 using namespace free_parts;
@@ -17,11 +16,6 @@ namespace {
 
 struct apart : spread<cca::tolerate<100000>>, cca::recordable {};
 
-std::string file() {
-  return (std::filesystem::temp_directory_path() / ("cca_free_parts_" + std::to_string(::getpid()) + ".mcap"))
-      .string();
-}
-
 }  // namespace
 
 TEST_SUITE("recording of free-running parts") {
@@ -29,10 +23,11 @@ TEST_SUITE("recording of free-running parts") {
     for (const std::int64_t us : {0, 300, 4'000}) {
       CAPTURE(us);
       cca::recording::replay_result result;
+      const laws::temporary_file file("free_parts.mcap");
       for (const double speed : {0.5, 0.1, 0.03}) {  // slower where the busy machine left out beats
         {
           cca::deployed<apart> d;
-          const cca::recording::recorder into(d, file());
+          const cca::recording::recorder into(d, file.path);
           d.load();
           d.start();
           d.run(cca::for_beats<40>{});
@@ -46,10 +41,9 @@ TEST_SUITE("recording of free-running parts") {
           CHECK_GT(d.get<"sight.look">().stops, 3);
           d.stop();
         }
-        result = cca::recording::replay<apart>(file());
+        result = cca::recording::replay<apart>(file.path);
         if (result.ended_early.empty()) break;
       }
-      std::filesystem::remove(file());
       CAPTURE(result.difference);
       CAPTURE(result.ended_early);
       CHECK(result);

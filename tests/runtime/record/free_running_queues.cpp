@@ -3,12 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <unistd.h>
 
 #include <cca/record.hpp>
 
+#include "../../laws/temporary_file.hpp"
 #include "../deployment/free_running_queues.hpp"
 
 using namespace free_queues;
@@ -17,29 +16,23 @@ namespace {
 
 struct apart : spread<cca::tolerate<100000>>, cca::recordable {};
 
-std::string file() {
-  return (std::filesystem::temp_directory_path() /
-          ("cca_free_queues_" + std::to_string(::getpid()) + ".mcap"))
-      .string();
-}
-
 // Runs and replays, and again slower where the busy machine left out beats of the mind.
 template <class F>
 cca::recording::replay_result recorded(F runs) {
   cca::recording::replay_result result;
+  const laws::temporary_file file("free_queues.mcap");
   for (const double speed : {0.5, 0.1, 0.03, 0.03}) {
     {
       cca::deployed<apart> d;
-      const cca::recording::recorder into(d, file());
+      const cca::recording::recorder into(d, file.path);
       d.load();
       d.start();
       runs(d, cca::at_speed(speed));
       d.stop();
     }
-    result = cca::recording::replay<apart>(file());
+    result = cca::recording::replay<apart>(file.path);
     if (result.ended_early.empty()) break;
   }
-  std::filesystem::remove(file());
   return result;
 }
 
