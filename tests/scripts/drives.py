@@ -12,7 +12,7 @@ import sys
 HARDWARE = "hardware/include/cca/hardware"
 DECODES = re.compile(r"static constexpr bool decode\(")
 
-# (file of the family {0}, what it must hold, the step of CONTRIBUTING.md, what it is)
+# For the family {0}: a file, a pattern that must be in it, the step of CONTRIBUTING.md, and a name for the part.
 PARTS = [
     (HARDWARE + "/{0}.hpp", r"#include <cca/hardware/drives/{0}\.hpp>", 2, "the short path for programs"),
     (HARDWARE + "/virtual_drives/virtual_{0}.hpp", "", 2, "its virtual drive"),

@@ -39,7 +39,7 @@ void look_if_it_is_time(Played& c, int k, std::span<const int> looks) {
   for (const firing& f : in_order_of_content(seen)) record(f);
 }
 
-// Of processes each asks: what is refused here is done there.
+// In processes each one asks: a process refuses it for components of another one, which does it.
 inline bool is_alone = true;
 inline int own_environment = 0;
 inline bool is_here(int environment) { return is_alone || environment == own_environment; }

@@ -7,7 +7,7 @@
 // Any other is open: it is asked at run time, so it fires as its strategy says. The clock of `timed<N>` and
 // of all that do not look at inputs holds always, but for `timeout<N>`, which counts from the last firing.
 //
-// Cost: what is open keeps its last firing, and tests in each beat what is fresh.
+// Cost: an open component keeps its last firing, and tests in each beat whether its inputs are fresh.
 #pragma once
 
 #include <algorithm>
