@@ -39,8 +39,9 @@
 #include <tuple>
 #include <utility>
 
-#include <cca/component/parameters.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/base/refused.hpp>
+#include <cca/component/parameters.hpp>
 #include <cca/skeleton/crew.hpp>
 #include <cca/skeleton/farm.hpp>
 #include <cca/skeleton/worker_task.hpp>
@@ -189,7 +190,7 @@ private:
   }
 
   // True if there is a whole to publish: every part has arrived and, with in_order, is new.
-  bool take() noexcept {
+  CCA_INLINE bool take() noexcept {
     if (!at_work) return false;
     if constexpr (ordered) {
       for (std::size_t i = 0; i < count; ++i)
