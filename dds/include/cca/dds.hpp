@@ -18,7 +18,7 @@
 #include <vector>
 
 #include <cca/deployment.hpp>
-#include <cca/dds/exchange.hpp>
+#include <cca/dds/replicated_exchange.hpp>
 #include <cca/dds/idl.hpp>
 #include <cca/dds/network.hpp>
 #include <cca/dds/publisher.hpp>

@@ -62,9 +62,9 @@ struct deployment_facts {
 
 // The exchange of this process. Each record and each ring in it has one writer: the environments that run
 // here write theirs, and the receiving thread writes those of the others.
-class own_exchange {
+class exchange_of_process {
 public:
-  virtual ~own_exchange() = default;
+  virtual ~exchange_of_process() = default;
 
   // For the thread that sends. `take`: the next sample of an output as a message; false: there is none.
   virtual void read(std::size_t environment, status& to) const = 0;

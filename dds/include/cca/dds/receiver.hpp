@@ -28,7 +28,7 @@ class receiver {
 public:
   receiver(const participant& of,
            const deployment_facts& all,
-           own_exchange& to,
+           exchange_of_process& to,
            contacts& others,
            presence& who,
            refusals& counted)
@@ -223,7 +223,7 @@ private:
 
   const participant& in;
   const deployment_facts& facts;
-  own_exchange& numbers;
+  exchange_of_process& numbers;
   contacts& peers;
   presence& known;
   refusals& refused;

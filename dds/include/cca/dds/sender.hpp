@@ -23,7 +23,7 @@ class sender {
 public:
   sender(const participant& in,
          const deployment_facts& of,
-         const own_exchange& from,
+         const exchange_of_process& from,
          const contacts& others,
          cca::detail::bell& to_hear)
       : facts(of), numbers(from), peers(others), news(to_hear) {
@@ -142,7 +142,7 @@ private:
   }
 
   const deployment_facts& facts;
-  const own_exchange& numbers;
+  const exchange_of_process& numbers;
   const contacts& peers;
   cca::detail::bell& news;
   std::vector<std::unique_ptr<environment>> all;

@@ -13,7 +13,7 @@
 #include <tuple>
 #include <utility>
 
-#include <cca/dds/replica.hpp>
+#include <cca/dds/process_transport.hpp>
 #include <cca/dds/results_on_the_way.hpp>
 #include <cca/runtime/transports/manifest.hpp>
 #include <cca/runtime/environments/peers.hpp>
@@ -39,7 +39,7 @@ class replicated_exchange<D,
                           std::integer_sequence<int, FreeOutput...>,
                           std::integer_sequence<int, Gathered...>,
                           std::integer_sequence<int, Free...>> : public cca::detail::peers,
-                                                                 private own_exchange {
+                                                                 private exchange_of_process {
 public:
   replicated_exchange(std::uint32_t domain,
                       const std::string& partition,
@@ -47,8 +47,8 @@ public:
                       const cca::detail::environments_here<D>& here,
                       std::shared_ptr<refusals> counted)
       : refused(std::move(counted)), runs_first(here[0]) {
-    transport.emplace(domain, partition, by, facts_of(here), static_cast<own_exchange&>(*this), own_rings,
-                      *refused,
+    transport.emplace(domain, partition, by, facts_of(here), static_cast<exchange_of_process&>(*this),
+                      own_rings, *refused,
                       [](int e) { return cca::detail::name_of_environment<D>(cca::detail::array_size(e)); });
   }
 
@@ -320,7 +320,7 @@ private:
   mutable bells own_rings;
   mutable cca::detail::exchange<D> own{};  // to take results changes it
   bool runs_first;
-  mutable std::optional<replica> transport;  // last: its threads use the exchange
+  mutable std::optional<process_transport> transport;  // last: its threads use the exchange
 };
 
 }  // namespace cca::dds::detail

@@ -20,16 +20,16 @@
 
 namespace cca::dds::detail {
 
-class replica {
+class process_transport {
 public:
-  replica(std::uint32_t domain,
-          const std::string& partition,
-          const network& by,
-          deployment_facts of,
-          own_exchange& exchanged,
-          cca::detail::peers::bells& to_ring,
-          refusals& counted,
-          std::string_view (*name_of)(int))
+  process_transport(std::uint32_t domain,
+                    const std::string& partition,
+                    const network& by,
+                    deployment_facts of,
+                    exchange_of_process& exchanged,
+                    cca::detail::peers::bells& to_ring,
+                    refusals& counted,
+                    std::string_view (*name_of)(int))
       : facts(std::move(of)),
         numbers(exchanged),
         rings(to_ring),
@@ -45,13 +45,13 @@ public:
     receiving = std::thread([this] { receive_all(); });
     sending = std::thread([this] { from_here->run([this] { return is_over.load(); }); });
   }
-  ~replica() {
+  ~process_transport() {
     is_over = true;
     sending.join();  // it says that it leaves, while others still hear
     receiving.join();
   }
-  replica(const replica&) = delete;
-  replica& operator=(const replica&) = delete;
+  process_transport(const process_transport&) = delete;
+  process_transport& operator=(const process_transport&) = delete;
 
   // Its process has ended or is silent, it was refused, or it came again and is not part of this run.
   bool is_gone(std::size_t environment) const {
@@ -127,7 +127,7 @@ private:
   static constexpr std::int64_t shortest_look = 60'000'000, longest_look = 300'000'000;
 
   deployment_facts facts;
-  own_exchange& numbers;
+  exchange_of_process& numbers;
   cca::detail::peers::bells& rings;
   refusals& refused;
   std::string_view (*name)(int);
