@@ -19,6 +19,7 @@
 #include <cca/graph/diagnosis/unknown_path.hpp>
 #include <cca/runtime/dropped_samples.hpp>
 #include <cca/runtime/each_component.hpp>
+#include <cca/runtime/observers.hpp>
 #include <cca/runtime/parameters_by_path.hpp>
 #include <cca/runtime/stoppable_parts.hpp>
 
@@ -202,11 +203,7 @@ protected:
   // Before a part is stopped or started: refused where that can't be now. Modes and deployments have such
   // parts.
   void check_part(const char*, int) const {}
-  void tell_part([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
-    if constexpr (requires(Self& s) { s.recorded_into(); })
-      if (auto* const tap = self().recorded_into())
-        tap->part_changed(part, stops, false, self().beat_index());
-  }
+  void tell_part(int part, bool stops) { observers().part_changed(part, stops, false, self().beat_index()); }
   void check(transition what, const char* call) const {
     if (!is_legal(what, now))
       throw refused(std::string("cca::controller: ") + call + " is refused in the state `" +
@@ -218,13 +215,14 @@ protected:
     tell_state();
   }
 
-  // To a recorder and a tracer, if the graph has them.
-  void tell_state() {
-    if constexpr (requires(Self& s) { s.traced_into(); })
-      if (auto* const track = self().traced_into()) track->moved(now);
-    if constexpr (requires(Self& s) { s.recorded_into(); })
-      if (auto* const tap = self().recorded_into()) tap->moved(now, self().beat_index());
+  // Of a deployment: of its first loop here.
+  loop_observers observers() const noexcept {
+    loop_observers all;
+    if constexpr (Traceable<Graph>) all.track = self().traced_into();
+    if constexpr (Recordable<Graph>) all.tap = self().recorded_into();
+    return all;
   }
+  void tell_state() { observers().moved(now, self().beat_index()); }
 
   beat_outcome reason{};
   cca::state now = cca::state::created;

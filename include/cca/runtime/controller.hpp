@@ -12,8 +12,8 @@
 #include <cca/graph/traceable.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/loop_host.hpp>
+#include <cca/runtime/observers.hpp>
 #include <cca/runtime/one_beat.hpp>
-#include <cca/runtime/recording/beat_tap.hpp>
 #include <cca/runtime/refusal.hpp>
 
 namespace cca {
@@ -42,36 +42,6 @@ public:
   template <class F>
   void observed_newest(F f) const {
     detail::observe_newest_of<Graph>(state_of_all, k, f);
-  }
-
-  // For the recorder of a recordable graph: called in each beat; null if nothing is recorded.
-  void record_into(detail::beat_tap<Graph>* tap) noexcept
-    requires(detail::Recordable<Graph>)
-  {
-    state_of_all.tap.set(tap);
-    if (tap) tap->parameters_changed(state_of_all, k);
-  }
-  detail::beat_tap<Graph>* recorded_into() const noexcept
-    requires(detail::Recordable<Graph>)
-  {
-    return state_of_all.tap.get();
-  }
-  // For the tracer of a traceable graph: f(number of the loop, the place of its observer).
-  template <class F>
-  void for_each_trace(F f) noexcept
-    requires(detail::Traceable<Graph>)
-  {
-    f(0, state_of_all.trace);
-  }
-  detail::trace_track* traced_into() const noexcept
-    requires(detail::Traceable<Graph>)
-  {
-    return state_of_all.trace.get();
-  }
-  // Tells a recorder that parameters were changed by other ways than `set` and `load`.
-  void parameters_changed() noexcept {
-    if constexpr (detail::Recordable<Graph>)
-      if (auto* const tap = recorded_into()) tap->parameters_changed(state_of_all, k);
   }
 
 private:
@@ -121,13 +91,9 @@ private:
   template <class Key>
   CCA_INLINE void run_beat() noexcept {
     detail::beat_outcome outcome;
-    if constexpr (detail::is_probed<Key>) state_of_all.begin_frame(k);
-    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
-      track->begin(k);
+    detail::begin_observed<Key, Graph>(state_of_all, k);
     detail::run_beat_of_graph<Key>(state_of_all, outcome, k);
-    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
-      track->end();
-    if constexpr (detail::is_probed<Key>) state_of_all.end_frame();
+    detail::end_observed<Key>(state_of_all);
     end_beat(outcome);
   }
   CCA_INLINE void end_beat([[maybe_unused]] const detail::beat_outcome& outcome) noexcept {
@@ -145,13 +111,9 @@ private:
   }
   static constexpr bool has_requests = detail::counts_of<Graph>.request_count > 0;
   [[gnu::noinline]] void take_requests() noexcept {
-    detail::take_requests<Graph>(state_of_all, k,
-                                 [this]([[maybe_unused]] int part, [[maybe_unused]] bool stops) {
-                                   (void)this;
-                                   if constexpr (detail::Recordable<Graph>)
-                                     if (auto* const tap = recorded_into())
-                                       tap->part_changed(part, stops, true, k);
-                                 });
+    detail::take_requests<Graph>(state_of_all, k, [this](int part, bool stops) {
+      this->observers().part_changed(part, stops, true, k);
+    });
   }
 
   using host::k;

@@ -40,7 +40,8 @@ public:
       runs.begin(pace, period());
       std::int64_t paced_from = 0;
       for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
-        if (const cca::fault late = wait(pace, (i - paced_from) * period())) fail({late.reason(), -1});
+        if (const cca::fault late = runs.wait(pace, (i - paced_from) * period(), this->observers()))
+          fail({late.reason(), -1});
         else self().advance();
         if (!goes_on_after(between, self())) break;
         if constexpr (Controls<Between, Self>)
@@ -60,22 +61,45 @@ public:
   // The next beat.
   std::int64_t beat_index() const noexcept { return k; }
 
+  // For the recorder of a recordable graph: called in each beat; null if nothing is recorded.
+  void record_into(beat_tap<Graph>* tap) noexcept
+    requires(Recordable<Graph>)
+  {
+    self().state_of_all.tap.set(tap);
+    parameters_changed();
+  }
+  beat_tap<Graph>* recorded_into() const noexcept
+    requires(Recordable<Graph>)
+  {
+    return self().state_of_all.tap.get();
+  }
+  // For the tracer of a traceable graph: f(number of the loop, the place of its observer).
+  template <class F>
+  void for_each_trace(F f) noexcept
+    requires(Traceable<Graph>)
+  {
+    f(0, self().state_of_all.trace);
+  }
+  trace_track* traced_into() const noexcept
+    requires(Traceable<Graph>)
+  {
+    return self().state_of_all.trace.get();
+  }
+  // Tells a recorder that parameters were changed by other ways than `set` and `load`.
+  void parameters_changed() noexcept {
+    if constexpr (Recordable<Graph>)
+      if (auto* const tap = recorded_into()) tap->parameters_changed(self().state_of_all, k);
+  }
+
 protected:
   // In the beat of the fault, instead of what would still have come.
   [[gnu::noinline]] void fail(beat_outcome outcome) noexcept {
     reason = outcome;
     Self::visit(call_on_fault{}, self());
     now = after(transition::fail, now);
-    if constexpr (requires(Self& s) { s.recorded_into(); })
-      if (auto* const tap = self().recorded_into()) {
-        tap->failed(outcome.node, outcome.fault, outcome.node < 0 ? k : k - 1);
-        tap->moved(now, k);
-      }
-    if constexpr (requires(Self& s) { s.traced_into(); })
-      if (auto* const track = self().traced_into()) {
-        track->failed(outcome.node, outcome.fault);
-        track->moved(now);
-      }
+    const loop_observers told = this->observers();
+    told.failed(outcome.node, outcome.fault, outcome.node < 0 ? k : k - 1);
+    told.moved(now, k);
   }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
 
@@ -84,6 +108,7 @@ protected:
 
 private:
   Self& self() { return static_cast<Self&>(*this); }
+  const Self& self() const { return static_cast<const Self&>(*this); }
 
   // What others want, also while the next beat is far off. False: the run ends. `begun_anew()`: the pace
   // counts from the next beat on.
@@ -113,12 +138,6 @@ private:
     if (!between.control().obey(pace, period(), idle, goes_on)) return false;
     runs.begin(pace, period());
     return true;
-  }
-
-  template <class Pace>
-  cca::fault wait(Pace& pace, std::int64_t time) {
-    if constexpr (requires(Self& s) { s.traced_into(); }) return runs.wait(pace, time, self().traced_into());
-    else return runs.wait(pace, time);
   }
 
   run_record runs{};

@@ -6,12 +6,13 @@
 #include <atomic>
 #include <concepts>
 #include <cstdint>
+#include <utility>
 
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
+#include <cca/runtime/observers.hpp>
 #include <cca/runtime/pace.hpp>
-#include <cca/runtime/tracing/trace_track.hpp>
 
 namespace cca::detail {
 
@@ -37,24 +38,17 @@ struct run_record {
   }
   // Waits for the next beat; the fault of a pace that gives up.
   template <class Pace>
-  fault wait(Pace& pace, std::int64_t time) {
+  fault wait(Pace& pace, std::int64_t time, loop_observers to) {
     pace.wait(time);
     if constexpr (OnClock<Pace>) {
       last_begun = pace.last_begun();
-      overruns = overruns_before + pace.overruns();
-      lost_periods = lost_before + pace.lost_periods();
+      const std::int64_t seen = std::exchange(overruns, overruns_before + pace.overruns());
+      const std::int64_t periods = std::exchange(lost_periods, lost_before + pace.lost_periods());
+      if (overruns > seen) to.overrun(lost_periods - periods);
       return pace.fault();
     } else {
       return {};
     }
-  }
-  // The same, and tells a trace of an overrun.
-  template <class Pace>
-  fault wait(Pace& pace, std::int64_t time, trace_track* track) {
-    const std::int64_t seen = overruns, periods = lost_periods;
-    const fault late = wait(pace, time);
-    if (track && overruns > seen) track->overrun(lost_periods - periods);
-    return late;
   }
 
 private:

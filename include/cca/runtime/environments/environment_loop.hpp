@@ -43,7 +43,7 @@ class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D>,
   friend beats_of_others<environment_loop>;
   using first_beats::wait_for_beat;
   using asked = asked_of_loop<environment_loop, D, E>;
-  using asked::tell, asked::tell_reached, asked::tell_skipped;
+  using asked::tell_reached, asked::tell_skipped;
   static constexpr std::int64_t period = counts_of<D>.period;
   static constexpr bool is_free = is_free_running<D, E>;
 
@@ -79,7 +79,7 @@ public:
     announce();
     if (E == 0 && ahead == 0) state.move_to(position() - 1);  // when its pace lets it begin
     if (has_free_running<D> && (!is_exact || DeploymentOfModes<D>))
-      tell([&](loop_tap& tap) { tap.runs_freely(k, !is_exact); });
+      state.observers().runs_freely(k, !is_exact);
     if constexpr (is_free) exchanged.template results<E>().begin_run();
     this->begin_admission();
   }
@@ -93,7 +93,7 @@ public:
   void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat, Obey obey) {
     std::int64_t first = k;
     while (k < end && this->wait_until_it_may_begin()) {
-      runs.wait(pace, (k - first) * period);
+      runs.wait(pace, (k - first) * period, state.observers());
       if (state.ahead == 0) announce();
       run_beat();
       if (state.ahead > 0) announce();
@@ -122,7 +122,7 @@ public:
   void lead(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat, Obey obey) {
     std::int64_t first = k;
     while (k < end && goes_on()) {  // a beat that a fault has cut is no overrun
-      const cca::fault late = wait(runs, pace, (k - first) * period);
+      const cca::fault late = runs.wait(pace, (k - first) * period, state.observers());
       own().overruns.store(runs.overruns, std::memory_order_relaxed);
       own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
       if (late) state_fault(state.observers(), 0, late.reason(), -1);
@@ -157,8 +157,7 @@ public:
       const std::int64_t beat = is_overrun ? begun() + 1 : k;
       if (is_overrun) {
         add(own().overruns, 1);
-        if constexpr (Traceable<D>)
-          if (auto* const track = state.trace.get()) track->overrun(beat - k);
+        state.observers().overrun(beat - k);
       }
       if (beat >= end) return lose_until(end);
       if (!wait_for_beat(beat, after_beat)) return;
@@ -227,12 +226,7 @@ private:
     std::int64_t beat = k;
     if constexpr (is_free) beat = state.beat;
     own().fault.state(exchange<D>::position_of(beat, rank), reason, node);
-    state.tell_fault(to, reason.data(), node, beat);
-  }
-  template <class Pace>
-  cca::fault wait(run_record& runs, Pace& pace, std::int64_t time) {
-    if constexpr (Traceable<D>) return runs.wait(pace, time, state.trace.get());
-    else return runs.wait(pace, time);
+    to.failed(node, reason.data(), beat);
   }
 
   // Of a recordable deployment: either beat is a function of its own, so that neither pays for the other.
@@ -264,11 +258,8 @@ private:
     if (!DeploymentOfModes<D> && !state.is_exact)
       if (const int lost = state.count_late(k, observers); lost >= 0)
         return state_fault(observers, 0, lost_contact<D>(lost), -1);
-    if constexpr (is_probed<Key> && DeploymentOfModes<D>) state.template begin_frame<mode>(beat);
-    else if constexpr (is_probed<Key>) state.begin_frame(beat);
+    begin_observed<Key, mode>(state, beat, this->template first_trace_name<mode>());
     if constexpr (is_probed<Key>) this->tell_arrivals();
-    if (auto* const track = trace_of<Key>(state)) [[unlikely]]
-      track->begin(beat, this->template first_trace_name<mode>());
     this->begin_cycle(beat);
     links.receive(state, beat);
     if constexpr (!DeploymentOfModes<D>) this->take_changes(beat);
@@ -276,10 +267,7 @@ private:
       track->pass();
     beat_outcome outcome;
     run_beat_of_graph<Key>(state, outcome, index());
-    if (auto* const track = trace_of<Key>(state)) [[unlikely]]
-      track->end();
-    if constexpr (is_probed<Key>)
-      if (!is_free || state.is_exact) state.end_frame();
+    end_observed<Key>(state, !is_free || state.is_exact);
     if constexpr (asks_for_changes<D>(E))
       if (this->is_asked()) [[unlikely]] {
         if (outcome.fault || state.is_cut) this->forget_asked();

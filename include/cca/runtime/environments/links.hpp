@@ -15,7 +15,7 @@
 #include <cca/runtime/environments/peers.hpp>
 #include <cca/runtime/environments/queues/entries_in_beat.hpp>
 #include <cca/runtime/environments/samples/receive_samples.hpp>
-#include <cca/runtime/recording/beat_tap.hpp>
+#include <cca/runtime/observers.hpp>
 
 namespace cca::detail {
 
@@ -79,17 +79,9 @@ public:
   void look_for(int environment, std::int64_t position, F has_come) noexcept {
     if (others && others->is_gone(environment) && !has_come()) {
       shared->environments[E].fault.state(position, lost_contact<shared_by_all>(environment), -1);
-      tell_fault(observers(), lost_contact<shared_by_all>(environment).data(), -1,
-                 position / exchange<shared_by_all>::calls_and_one);
+      observers().failed(-1, lost_contact<shared_by_all>(environment).data(),
+                         position / exchange<shared_by_all>::calls_and_one);
     }
-  }
-  // To a tracer and a recorder.
-  CCA_INLINE static void tell_fault(loop_observers to,
-                                    const char* reason,
-                                    int node,
-                                    std::int64_t k) noexcept {
-    if (to.track) to.track->failed(node, reason);
-    if (to.tap) to.tap->failed(node, reason, k);
   }
   // Between two beats.
   loop_observers observers() const noexcept {
@@ -316,8 +308,7 @@ private:
       const bool is_late = !has_done<X>(k - least_delay(X, E) + 1);
       if (is_late) {
         add(shared->environments[E].late[X], 1);
-        if (to.track) to.track->late(X);
-        if (to.tap) to.tap->late(X, k);
+        to.late(X, k);
       }
       in_a_row = is_late ? in_a_row + 1 : 0;
       if (in_a_row > environments_of<D>::tolerated) lost = X;

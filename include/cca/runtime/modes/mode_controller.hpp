@@ -75,36 +75,11 @@ public:
               [&]<int I>() { detail::observe_newest_of<detail::mode_part<M, I>>(state_of_all, k, f); });
   }
 
-  // As of a controller of a graph.
-  template <class F>
-  void for_each_trace(F f) noexcept
-    requires(detail::Traceable<M>)
-  {
-    f(0, state_of_all.trace);
-  }
-  detail::trace_track* traced_into() const noexcept
-    requires(detail::Traceable<M>)
-  {
-    return state_of_all.trace.get();
-  }
-
-  // As of a controller of a graph.
   void record_into(detail::beat_tap<M>* tap) noexcept
     requires(detail::Recordable<M>)
   {
-    state_of_all.tap.set(tap);
-    if (!tap) return;
-    tap->parameters_changed(state_of_all, k);
-    tap->switched(active, false, k);
-  }
-  detail::beat_tap<M>* recorded_into() const noexcept
-    requires(detail::Recordable<M>)
-  {
-    return state_of_all.tap.get();
-  }
-  void parameters_changed() noexcept {
-    if constexpr (detail::Recordable<M>)
-      if (auto* const tap = recorded_into()) tap->parameters_changed(state_of_all, k);
+    host::record_into(tap);
+    if (tap) tap->switched(active, false, k);
   }
 
 private:
@@ -183,13 +158,11 @@ private:
   template <int I, class Key>
   [[gnu::noinline]] CCA_BEAT void advance_in() noexcept {
     detail::beat_outcome outcome;
-    if constexpr (detail::is_probed<Key>) state_of_all.template begin_frame<part<I>>(k);
-    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
-      track->begin(k, detail::trace_name(detail::first_node_of_mode<M, I>, detail::phase_of_beat::process));
+    detail::begin_observed<Key, part<I>>(
+        state_of_all, k,
+        detail::trace_name(detail::first_node_of_mode<M, I>, detail::phase_of_beat::process));
     detail::run_beat_of_graph<Key>(state_of_all, outcome, k);
-    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
-      track->end();
-    if constexpr (detail::is_probed<Key>) state_of_all.end_frame();
+    detail::end_observed<Key>(state_of_all);
     ++k;
     if constexpr (detail::counts_of<part<I>>.may_fault)
       if (outcome.fault) return fail_in<I>(outcome);
@@ -214,12 +187,9 @@ private:
 
   template <int I>
   [[gnu::noinline]] void take_requests() noexcept {
-    detail::take_requests<part<I>>(state_of_all, k,
-                                   [&]([[maybe_unused]] int number, [[maybe_unused]] bool stops) {
-                                     if constexpr (detail::Recordable<M>)
-                                       if (auto* const tap = recorded_into())
-                                         tap->part_changed(number, stops, true, k);
-                                   });
+    detail::take_requests<part<I>>(state_of_all, k, [this](int number, bool stops) {
+      this->observers().part_changed(number, stops, true, k);
+    });
   }
 
   [[gnu::noinline]] void switch_by_request() noexcept {
@@ -233,16 +203,13 @@ private:
     move_to(next);
   }
 
-  void move_to(int next, [[maybe_unused]] bool is_requested = false) {
+  void move_to(int next, bool is_requested = false) {
     if (next == active) return;
     const bool is_started = now == cca::state::started || now == cca::state::running;
     with_mode(active, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.leave(next, k, is_started); });
     const int last = active;
     active = next;
-    if constexpr (detail::Traceable<M>)
-      if (auto* const track = state_of_all.trace.get()) track->switched(next);
-    if constexpr (detail::Recordable<M>)
-      if (auto* const tap = recorded_into()) tap->switched(next, is_requested, k);
+    this->observers().switched(next, is_requested, k);
     state_of_all.since = k;
     with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, k, k, is_started); });
   }

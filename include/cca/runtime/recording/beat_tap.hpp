@@ -150,19 +150,6 @@ template <class Graph>
 using kept_state =
     std::conditional_t<Recordable<Graph>, controller_state<probed<Graph>>, controller_state<Graph>>;
 
-// The observers of a beat: null where nobody observes, and always where the beat with this
-// key has no hooks.
-struct loop_observers {
-  trace_track* track = nullptr;
-  loop_tap* tap = nullptr;
-};
-template <class Key, class State>
-CCA_INLINE loop_observers observers_in([[maybe_unused]] const State& state) {
-  loop_observers all{trace_of<Key>(state)};
-  if constexpr (is_probed<Key>) all.tap = state.tap.get();
-  return all;
-}
-
 template <class Graph, int First>
 struct array_of_components<probed<Graph>, First> {
   using type = typename array_of_components<Graph, First>::type;

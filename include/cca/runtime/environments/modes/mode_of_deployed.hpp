@@ -49,7 +49,7 @@ public:
 
   // To a recorder that begins.
   void tell_mode_of_now() noexcept {
-    for_each_here([&](auto& loop) { loop.tell_mode(false, self().beat_index()); });
+    for_each_here([&](auto& loop) { loop.tell_mode(self().beat_index()); });
   }
 
 protected:

@@ -92,9 +92,9 @@ public:
     first_beat = next;
     ++switched;
     loop().note_mode(last, to, next);
-    if constexpr (Traceable<D>)
-      if (auto* const track = state.trace.get()) track->switched(to);
-    tell_mode(is_requested, next);
+    loop_observers told = state.observers();
+    if (!tells_mode) told.tap = nullptr;
+    told.switched(to, is_requested, next);
     with_mode(to, [&]<int I>() { mode_switch<set, I>{state}.enter(last, index, next, is_started); });
   }
   // As other environments have switched, between two runs.
@@ -102,10 +102,10 @@ public:
     switch_mode(to, next, false, is_started);
     switched = so_often;
   }
-  void tell_mode([[maybe_unused]] bool is_requested, [[maybe_unused]] std::int64_t next) noexcept {
-    if constexpr (Recordable<D>)
-      if (auto* const tap = loop().state.tap.get(); tap && tells_mode)
-        tap->switched(mode(), is_requested, next);
+  // To a recorder that begins.
+  void tell_mode(std::int64_t next) noexcept {
+    if (loop_tap* const tap = loop().state.observers().tap; tap && tells_mode)
+      tap->switched(mode(), false, next);
   }
   bool has_part_now(int part) const { return has_mode(plan_of<D>.parts[array_size(part)].modes, mode()); }
   bool has_node_now(int node) const { return has_mode(plan_of<D>.nodes[array_size(node)].modes, mode()); }

@@ -15,7 +15,7 @@ public:
   // To a recorder, if this environment has the first node of a part.
   void tell_part(int part, bool stops, bool requested, std::int64_t from) noexcept {
     if (plan_of<D>.nodes[array_size(first_node_of_part<D>(part))].environment == E)
-      loop().tell([&](loop_tap& tap) { tap.part_changed(part, stops, requested, from); });
+      loop().state.observers().part_changed(part, stops, requested, from);
   }
 
   // At the end of a run: what was asked for in the beats before `beat`, and no more; and all orders, before
@@ -74,17 +74,9 @@ protected:
     if constexpr (is_free_running<D, E>) return loop().state.index;
     else return beat;
   }
-  // f(the observer of its beats), while it is recorded.
-  template <class F>
-  void tell([[maybe_unused]] F f) noexcept {
-    if constexpr (Recordable<D>)
-      if (auto* const tap = loop().state.tap.get()) f(*tap);
-  }
-  void tell_reached() noexcept {
-    tell([this](loop_tap& tap) { tap.reach(loop().next_beat()); });
-  }
+  void tell_reached() noexcept { loop().state.observers().reached(loop().next_beat()); }
   void tell_skipped(std::int64_t first, std::int64_t count, bool by_clock) noexcept {
-    tell([&](loop_tap& tap) { tap.skipped(first, count, by_clock); });
+    loop().state.observers().skipped(first, count, by_clock);
   }
 
   // A pause: the others begin no beat either.
