@@ -15,26 +15,15 @@ namespace cca {
 
 namespace detail {
 
-// The quantity that limits how fast another one may change.
+// The quantity that limits how fast another one may change; void: nothing does.
 template <class Quantity>
 struct rate_of_quantity {
   using type = void;
 };
-template <>
-struct rate_of_quantity<angle> {
-  using type = velocity;
-};
-template <>
-struct rate_of_quantity<velocity> {
-  using type = acceleration;
-};
-template <>
-struct rate_of_quantity<acceleration> {
-  using type = jerk;
-};
-template <>
-struct rate_of_quantity<torque> {
-  using type = torque_rate;
+template <class Quantity>
+  requires requires { typename Quantity::rate; }
+struct rate_of_quantity<Quantity> {
+  using type = typename Quantity::rate;
 };
 
 // `a` where the comparison is false, so also where `b` is NaN: one instruction each.

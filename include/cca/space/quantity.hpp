@@ -7,8 +7,9 @@
 // of your own, write another such struct. units.hpp has other spellings of the units, for files.
 //
 // A quantity states in `on_nan` what a limiter publishes when a command is no finite number. There is no
-// default: a torque or a current that is held goes on to accelerate, an angle that goes to zero jumps.
-// Errors: quantity.on_nan.
+// default: a torque or a current that is held goes on to accelerate, an angle that goes to zero jumps. One
+// whose change a limiter is to bound states in `rate` which quantity of the axis limits that: of an angle the
+// velocity. Errors: quantity.on_nan.
 #pragma once
 
 #include <concepts>
@@ -26,18 +27,25 @@ enum class nan_policy : std::uint8_t {
 };
 
 // About a joint.
+struct velocity;
+struct acceleration;
+struct jerk;
+struct torque_rate;
 struct angle {
   double lower, upper;
+  using rate = velocity;
   static constexpr std::string_view unit = "rad";
   static constexpr auto on_nan = nan_policy::hold;
 };
 struct velocity {
   double lower, upper;
+  using rate = acceleration;
   static constexpr std::string_view unit = "rad/s";
   static constexpr auto on_nan = nan_policy::zero;
 };
 struct acceleration {
   double lower, upper;
+  using rate = jerk;
   static constexpr std::string_view unit = "rad/s^2";
   static constexpr auto on_nan = nan_policy::zero;
 };
@@ -48,6 +56,7 @@ struct jerk {
 };
 struct torque {
   double lower, upper;
+  using rate = torque_rate;
   static constexpr std::string_view unit = "N m";
   static constexpr auto on_nan = nan_policy::zero;
 };

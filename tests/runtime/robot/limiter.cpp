@@ -58,6 +58,29 @@ double expected(int axis, double command, double last, double dt) {
   return std::min(std::max(goal, low), high);
 }
 
+// A quantity of a user's own, and the one that limits how fast it changes.
+struct inflow {
+  double lower, upper;
+  static constexpr std::string_view unit = "l/s";
+  static constexpr auto on_nan = cca::nan_policy::zero;
+};
+struct filling {
+  double lower, upper;
+  using rate = inflow;
+  static constexpr std::string_view unit = "l";
+  static constexpr auto on_nan = cca::nan_policy::hold;
+};
+struct fillings : cca::detail::linear_domain {
+  using quantity = filling;
+  static constexpr bool actuated = true;
+  template <class Self>
+  struct methods : cca::detail::additive<Self> {};
+};
+struct tank : cca::dimension<"tank"> {
+  static constexpr auto limits = cca::limits{filling{0, 10}, inflow{-20, 30}};
+};
+struct tank_level : cca::space<fillings, cca::axes<tank>, cca::rate<1000>> {};
+
 template <class Space>
 void sweep() {
   std::mt19937_64 random(2);
@@ -239,6 +262,15 @@ TEST_SUITE("limiter") {
     CHECK_EQ(limit({0.8, -1.5}, 0), Eigen::Vector2d(0.3, -1.5));
     CHECK_EQ(limit({0.3, 1}, 0), Eigen::Vector2d(0.3, -0.2));
     CHECK_EQ(limit({no_number, no_number}, 0), Eigen::Vector2d(0.3, -0.2));
+  }
+
+  TEST_CASE("a quantity of one's own: its `rate` says which limits bound its change") {
+    bench<tank_level> limit;
+    using level = tank_level::vector_type;
+    CHECK_EQ(limit(level(5))[0], 5);
+    CHECK_EQ(limit(level(9))[0], doctest::Approx(5.03));
+    CHECK_EQ(limit(level(0))[0], doctest::Approx(5.01));
+    CHECK(limit.under_test.first_intervention().cause == cca::limited_by::rate);
   }
 
   TEST_CASE("in a loop") {
