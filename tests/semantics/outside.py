@@ -68,8 +68,12 @@ def around_cpp(made, crews, parts, inside, switches=()):
     def spelled(k, kind, path):
         return f'c.template {kind}<"{path}">()' if k % 2 else f'c.{kind}("{path}")'
 
-    def by_order(path):
-        return made.environments > 1 and not made.in_processes and len(inside[path]) > 1
+    # By cca::live_access, which takes one request at a time; others of the same beat are asked of the deployment itself.
+    ordered = {}
+    for change in changes:
+        k, _, path = change
+        if made.environments > 1 and not made.in_processes and len(inside[path]) > 1 and k not in dict(switches):
+            ordered.setdefault(k, change)
 
     lines = ["struct around : in_the_loop {"]
     if made.environments > 1:
@@ -77,10 +81,9 @@ def around_cpp(made, crews, parts, inside, switches=()):
         at_rest = sorted({k for k, _, _ in changes} | set(made.looks)) if made.in_processes else []
         lines.append(f"  static constexpr int at_rest[] = {{{', '.join(map(str, at_rest + ['beats']))}}};")
         lines.append(f"  static constexpr int acts[] = {{{', '.join(map(str, acts))}, beats}};")
-        ordered = [(k, kind, path) for k, kind, path in changes if by_order(path)]
         if ordered or (switches and not made.in_processes):
             lines += ["  static constexpr bool gives_orders = true;", "  static void order(auto& live, int k) {"]
-            lines += [f'    if (k == {k}) insist(live.{kind}("{path}"));' for k, kind, path in ordered]
+            lines += [f'    if (k == {k}) insist(live.{kind}("{path}"));' for k, kind, path in ordered.values()]
             lines += [f'    if (k == {k}) insist(live.switch_to("{mode}"));' for k, mode in switches]
             lines.append("  }")
     lines += ["  template <class Controller>",
@@ -88,7 +91,7 @@ def around_cpp(made, crews, parts, inside, switches=()):
     if made.looks:
         lines += [f"    constexpr int looks[] = {{{', '.join(map(str, made.looks))}}};", "    look_if_it_is_time(c, k, looks);"]
     for k, kind, path in changes:
-        unless = "!by_orders && " if by_order(path) else ""
+        unless = "!by_orders && " if ordered.get(k) == (k, kind, path) else ""
         lines.append(f"    if ({unless}k == {k}) where_it_is([&] {{ {spelled(k, kind, path)}; }});")
     for number, (k, mode) in enumerate(switches):  # of processes one asks, each time another one
         spelled_mode = f'c.template switch_to<"{mode}">()' if k % 2 else f'c.switch_to("{mode}")'
