@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include <cca/sim/oncilla_model.hpp>
+#include <cca/sim/oncilla/oncilla_model.hpp>
 
 #include "../examples/combination_of_skills/architecture.hpp"
 #include "program.hpp"

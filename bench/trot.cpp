@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <cca/sim/oncilla_model.hpp>
+#include <cca/sim/oncilla/oncilla_model.hpp>
 
 #include "../examples/trot/architecture.hpp"
 #include "classical.hpp"

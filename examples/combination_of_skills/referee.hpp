@@ -9,9 +9,9 @@
 #include <optional>
 
 #include <cca/cca.hpp>
-#include <cca/sim/disturbance.hpp>
-#include <cca/sim/terrain.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
+#include <cca/sim/engine/terrain.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 #include "orders.hpp"
 #include "plan.hpp"

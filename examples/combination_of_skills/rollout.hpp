@@ -7,9 +7,9 @@
 #include <utility>
 
 #include <cca/cca.hpp>
-#include <cca/sim/disturbance.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/oncilla.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 #include "architecture.hpp"
 #include "../trot/report/goes_on.hpp"

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 #include "legs.hpp"
 

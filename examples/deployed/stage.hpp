@@ -15,7 +15,7 @@
 
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/adaptive/sequencer.hpp>
-#include <cca/sim/simulator.hpp>
+#include <cca/sim/oncilla/simulator.hpp>
 
 #include "../combination_of_skills/referee.hpp"
 

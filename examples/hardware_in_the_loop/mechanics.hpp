@@ -12,8 +12,8 @@
 #include <cca/hardware/sensor_board.hpp>
 #include <cca/hardware/virtual_drive.hpp>
 #include <cca/robots/oncilla/axes.hpp>
-#include <cca/sim/disturbance.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 namespace hil {
 

@@ -5,10 +5,10 @@
 #include <cstddef>
 
 #include <cca/cca.hpp>
-#include <cca/sim/disturbance.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/oncilla.hpp>
-#include <cca/sim/terrain.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/engine/terrain.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 #include "architecture.hpp"
 #include "report/goes_on.hpp"

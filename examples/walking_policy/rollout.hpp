@@ -4,9 +4,9 @@
 
 #include <cca/cca.hpp>
 #include <cca/main/command_line.hpp>
-#include <cca/sim/disturbance.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/oncilla.hpp>
-#include <cca/sim/terrain.hpp>
+#include <cca/sim/engine/terrain.hpp>
 
 #include "../trot/gait.hpp"
 #include "../trot/report/recording.hpp"

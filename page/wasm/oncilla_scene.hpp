@@ -8,8 +8,8 @@
 #include <array>
 
 #include <cca/sim/oncilla.hpp>
-#include <cca/sim/kinematics.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/kinematics.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 #include "json_text.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <cca/graph/layout/lookup.hpp>
-#include <cca/runtime/recording/beat_tap.hpp>
+#include <cca/runtime/observers/beat_tap.hpp>
 
 namespace cca::page {
 

@@ -13,7 +13,7 @@
 #include <cca/main.hpp>
 #include <cca/record.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 struct hip : cca::dimension<"hip"> {
   static constexpr auto limits = cca::limits{cca::angle{-0.5, 0.5}};

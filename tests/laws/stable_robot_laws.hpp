@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include <cca/sim/robot/robot_world.hpp>
+#include <cca/sim/robot/world/robot_world.hpp>
 
 #include "space_laws.hpp"
 

@@ -4,8 +4,7 @@
 usage: includes.py [ROOT of the repository]
 
 A folder of the core includes only from the folders to its left in FOLDERS. `runtime`, `config`, `trace` and `main` stand apart, and
-nothing in the core includes them. In runtime/ and hardware/ a folder includes only from those before it in ROOMS. No two
-headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware, dds and record include only from the parts in OUTSIDE. Other
+nothing in the core includes them. A folder that ROOMS lists includes only from those before it there. No two headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware, dds and record include only from the parts in OUTSIDE. Other
 libraries are included from one place each. The tests, examples and pages that a header's comments name exist.
 """
 import collections
@@ -24,9 +23,13 @@ TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"],
 OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"], "record": ["record"]}  # and from the core
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
-# Folders of parts: each includes only from those before it. "." is what stands directly in the part's folder.
-ROOMS = {"runtime": ["signals", "samples", "tracing", "recording", ".", "live", "modes", "environments", "transports"],
-         "hardware": ["bus", "drives", "safety", "robot", "oncilla", "virtual_drives"]}
+# Rooms: each includes only from those before it. "." is what stands directly in the folder.
+ROOMS = {"runtime": ["signals", "samples", "observers", ".", "live", "modes", "environments", "transports"],
+         "hardware": ["bus", "drives", "safety", "robot", "oncilla", "virtual_drives"],
+         "sim": ["engine", "robot", "oncilla", "."],
+         "sim/robot": ["model", "tree", "forces", "world", "."],
+         "record": ["mcap", "messages", "file", "loops", "replay", "."],
+         "dds": ["domain", "nodes", "deployment", "."]}
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
 
@@ -39,19 +42,23 @@ def allowed(folder):
 
 
 def room_include(where, target):
-    """The mistake in an include from one room of a part into another."""
-    part = where.split("/")[0]
-    rooms = ROOMS.get(part)
-    if not rooms or target.split("/")[0] != part:
-        return None
-    room_of = lambda path: path.split("/")[1] if path.count("/") > 1 else "."
-    here, there = room_of(where), room_of(target)
-    if here == "." and "." not in rooms:
-        return None  # a header that forwards from its former place
-    for room in (here, there):
-        if room not in rooms:
-            return f"{part}/ has no place for {room}: state in ROOMS what it may include"
-    return None if rooms.index(there) <= rooms.index(here) else f"{part}/{here} may include only from: {' '.join(rooms[:rooms.index(here) + 1])}"
+    """The mistake in an include from one room of a folder into another."""
+    for folder, rooms in ROOMS.items():
+        if not where.startswith(f"{folder}/") or not target.startswith(f"{folder}/"):
+            continue
+        here, there = (room_of(path[len(folder) + 1:]) for path in (where, target))
+        if here == "." and "." not in rooms:
+            continue  # a header that forwards from its former place
+        for room in (here, there):
+            if room not in rooms:
+                return f"{folder}/ has no place for {room}: state in ROOMS what it may include"
+        if rooms.index(there) > rooms.index(here):
+            return f"{folder}/{here} may include only from: {' '.join(rooms[:rooms.index(here) + 1])}"
+    return None
+
+
+def room_of(path):
+    return path.split("/")[0] if "/" in path else "."
 
 
 def cca_include(where, target, part):

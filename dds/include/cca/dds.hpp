@@ -18,9 +18,9 @@
 #include <vector>
 
 #include <cca/deployment.hpp>
-#include <cca/dds/replicated_exchange.hpp>
+#include <cca/dds/deployment/replicated_exchange.hpp>
 #include <cca/dds/idl.hpp>
-#include <cca/dds/network.hpp>
+#include <cca/dds/domain/network.hpp>
 #include <cca/dds/publisher.hpp>
 #include <cca/dds/subscriber.hpp>
 

@@ -7,7 +7,7 @@
 
 #include <cca/main/command_line.hpp>
 #include <cca/main/robot_program.hpp>
-#include <cca/sim/terrain.hpp>
+#include <cca/sim/engine/terrain.hpp>
 
 namespace trot {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <cca/sim/attitude.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/attitude.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 namespace trot {
 

@@ -24,7 +24,7 @@
 #include <cca/main/one_file.hpp>
 #include <cca/base/system/output_file.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/runtime/recording/program_recorder.hpp>
+#include <cca/runtime/observers/program_recorder.hpp>
 #include <cca/trace/tracer.hpp>
 
 namespace cca {

@@ -25,7 +25,7 @@
 #include <cca/main/run_program.hpp>
 #include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
-#include <cca/runtime/recording/program_recorder.hpp>
+#include <cca/runtime/observers/program_recorder.hpp>
 #include <cca/runtime/signals/stop_progress.hpp>
 
 namespace cca::detail {

@@ -12,7 +12,7 @@
 #include <cca/main/command_line.hpp>
 #include <cca/main/descriptions.hpp>
 #include <cca/main/robot_program.hpp>
-#include <cca/runtime/recording/program_recorder.hpp>
+#include <cca/runtime/observers/program_recorder.hpp>
 #include <cca/runtime/transports/shared_memory.hpp>
 
 namespace cca::detail {

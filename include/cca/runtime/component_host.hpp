@@ -19,7 +19,7 @@
 #include <cca/graph/diagnosis/unknown_path.hpp>
 #include <cca/runtime/dropped_samples.hpp>
 #include <cca/runtime/each_component.hpp>
-#include <cca/runtime/observers.hpp>
+#include <cca/runtime/observers/loop_observers.hpp>
 #include <cca/runtime/parameters_by_path.hpp>
 #include <cca/runtime/stoppable_parts.hpp>
 

@@ -12,7 +12,7 @@
 #include <cca/graph/traceable.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/loop_host.hpp>
-#include <cca/runtime/observers.hpp>
+#include <cca/runtime/observers/loop_observers.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/refusal.hpp>
 

@@ -9,7 +9,7 @@
 #include <cca/graph/recordable.hpp>
 #include <cca/runtime/queue_entries.hpp>
 #include <cca/runtime/inputs.hpp>
-#include <cca/runtime/recording/tell_recorder.hpp>
+#include <cca/runtime/observers/tell_recorder.hpp>
 
 namespace cca::detail {
 

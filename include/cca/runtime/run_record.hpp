@@ -11,7 +11,7 @@
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/runtime/observers.hpp>
+#include <cca/runtime/observers/loop_observers.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::detail {

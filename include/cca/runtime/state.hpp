@@ -16,7 +16,7 @@
 #include <cca/runtime/samples/kept_component.hpp>
 #include <cca/runtime/samples/queued_samples.hpp>
 #include <cca/runtime/samples/stored_samples.hpp>
-#include <cca/runtime/tracing/trace_link.hpp>
+#include <cca/runtime/observers/trace_link.hpp>
 
 namespace cca::detail {
 

@@ -8,7 +8,7 @@
 #include <cca/graph/deployment.hpp>
 #include <cca/graph/modes.hpp>
 #include <cca/runtime/each_component.hpp>
-#include <cca/runtime/tracing/trace_event.hpp>
+#include <cca/runtime/observers/trace_event.hpp>
 
 namespace cca::detail {
 

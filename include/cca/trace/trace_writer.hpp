@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/runtime/tracing/trace_link.hpp>
+#include <cca/runtime/observers/trace_link.hpp>
 #include <cca/trace/trace_file.hpp>
 #include <cca/trace/trace_names.hpp>
 #include <cca/trace/trace_summary.hpp>

@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <cca/robot/dynamics/forward_dynamics.hpp>
-#include <cca/sim/robot/robot_world.hpp>
+#include <cca/sim/robot/world/robot_world.hpp>
 
 #include "../body/random_links.hpp"
 

@@ -4,7 +4,7 @@
 #include <cca/robots/arm/description.hpp>
 #include <cca/robot/body_dynamics.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
-#include <cca/sim/robot/robot_world.hpp>
+#include <cca/sim/robot/world/robot_world.hpp>
 
 namespace arm = cca::robots::arm;
 namespace sim = cca::sim;

@@ -16,7 +16,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/robots/arm/description.hpp>
-#include <cca/sim/engine.hpp>
+#include <cca/sim/engine/engine.hpp>
 #include <cca/sim/robot.hpp>
 #include <cca/sim/robot/forces/gyroscopic.hpp>
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include <cca/dds/participant.hpp>
+#include <cca/dds/domain/participant.hpp>
 
 namespace {
 

@@ -130,7 +130,7 @@ TEST_SUITE("own transport") {
     CHECK(of_robot.find("faulted too much") != std::string::npos);
   }
 
-  // A transport that sends these numbers asks whether anybody waits for them (cca/dds/sender.hpp).
+  // A transport that sends these numbers asks whether anybody waits for them (cca/dds/deployment/sender.hpp).
   TEST_CASE("the numbers of an environment say how the run is, not what its process had wished for") {
     const at_one_table<two> joined;
     std::thread mind([&] {

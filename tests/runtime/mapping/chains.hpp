@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cca/mapping/inverse_kinematics.hpp>
-#include <cca/sim/kinematics.hpp>
+#include <cca/sim/oncilla/kinematics.hpp>
 
 #include "spaces.hpp"
 

@@ -7,8 +7,8 @@
 #include <doctest/doctest.h>
 
 #include <cca/robots/oncilla/as_built.hpp>
-#include <cca/sim/robot/robot_world.hpp>
-#include <cca/sim/oncilla_model.hpp>
+#include <cca/sim/robot/world/robot_world.hpp>
+#include <cca/sim/oncilla/oncilla_model.hpp>
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include <cca/sim/disturbance.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 namespace test {
 

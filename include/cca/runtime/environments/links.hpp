@@ -15,7 +15,7 @@
 #include <cca/runtime/environments/peers.hpp>
 #include <cca/runtime/environments/queues/entries_in_beat.hpp>
 #include <cca/runtime/environments/samples/receive_samples.hpp>
-#include <cca/runtime/observers.hpp>
+#include <cca/runtime/observers/loop_observers.hpp>
 
 namespace cca::detail {
 

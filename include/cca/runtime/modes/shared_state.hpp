@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <cca/graph/layout/layout_of_modes.hpp>
-#include <cca/runtime/recording/beat_tap.hpp>
+#include <cca/runtime/observers/beat_tap.hpp>
 #include <cca/runtime/state.hpp>
 
 namespace cca::detail {

@@ -11,7 +11,7 @@
 
 #include <cca/record/page.hpp>
 #include <cca/record/recorder.hpp>
-#include <cca/runtime/recording/program_recorder.hpp>
+#include <cca/runtime/observers/program_recorder.hpp>
 
 namespace cca::detail {
 

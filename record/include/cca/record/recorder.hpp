@@ -38,10 +38,10 @@
 #include <vector>
 
 #include <cca/base/refused.hpp>
-#include <cca/record/recorded_loop.hpp>
-#include <cca/record/recorded_loops.hpp>
-#include <cca/record/recording_file.hpp>
-#include <cca/record/settings.hpp>
+#include <cca/record/loops/recorded_loop.hpp>
+#include <cca/record/loops/recorded_loops.hpp>
+#include <cca/record/file/recording_file.hpp>
+#include <cca/record/file/settings.hpp>
 
 namespace cca::recording {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <cca/record/replay.hpp>
-#include <cca/runtime/recording/program_recorder.hpp>
+#include <cca/runtime/observers/program_recorder.hpp>
 
 namespace cca::detail {
 

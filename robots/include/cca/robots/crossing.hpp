@@ -2,7 +2,7 @@
 // joint.
 //
 // Such a link needs no mass, because nothing moves it alone. It may carry nothing: no shape, no spring, no
-// other link. The simulator makes one joint of the two (cca/sim/robot/tree_in_engine.hpp).
+// other link. The simulator makes one joint of the two (cca/sim/robot/tree/tree_in_engine.hpp).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A shorter or former path of robot/forces/contact_account.hpp: the accounts of contacts.
+// A former path of robot/model/contact_account.hpp: the accounts of contacts.
 #pragma once
 
-#include <cca/sim/robot/forces/contact_account.hpp>
+#include <cca/sim/robot/model/contact_account.hpp>

@@ -1,4 +1,4 @@
-// A shorter or former path of robot/ground_strips.hpp: a terrain in the engine.
+// A former path of engine/ground_strips.hpp: a terrain in the engine.
 #pragma once
 
-#include <cca/sim/robot/ground_strips.hpp>
+#include <cca/sim/engine/ground_strips.hpp>

@@ -1,4 +1,4 @@
-// A shorter or former path of oncilla_posture.hpp: postures, commands and readings of an Oncilla, by leg.
+// A former path of oncilla/oncilla_posture.hpp: postures, commands and readings of an Oncilla, by leg.
 #pragma once
 
-#include <cca/sim/oncilla_posture.hpp>
+#include <cca/sim/oncilla/oncilla_posture.hpp>

@@ -1,4 +1,4 @@
-// A shorter or former path of robot/cable_winch.hpp: a motor that winds a cable.
+// A former path of robot/model/cable_winch.hpp: a motor that winds a cable.
 #pragma once
 
-#include <cca/sim/robot/cable_winch.hpp>
+#include <cca/sim/robot/model/cable_winch.hpp>

@@ -8,10 +8,10 @@
 #pragma once
 
 #include <cca/robots/oncilla/as_built.hpp>
-#include <cca/sim/disturbance.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/robot.hpp>
-#include <cca/sim/simulator.hpp>
-#include <cca/sim/world.hpp>
+#include <cca/sim/oncilla/simulator.hpp>
+#include <cca/sim/oncilla/world.hpp>
 
 namespace cca::sim {
 

@@ -1,13 +1,4 @@
-// The synchronizer of the simulated Oncilla: simulated_robot.hpp, with cca::sim::world for its world.
+// A former path of oncilla/simulator.hpp: the simulated Oncilla.
 #pragma once
 
-#include <cca/robots/oncilla/as_built.hpp>
-#include <cca/sim/disturbance.hpp>
-#include <cca/sim/robot/simulated_robot.hpp>
-#include <cca/sim/world.hpp>
-
-namespace cca::sim {
-
-using simulator = simulated_robot<robots::oncilla::as_built, world>;
-
-}  // namespace cca::sim
+#include <cca/sim/oncilla/simulator.hpp>

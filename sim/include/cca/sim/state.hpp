@@ -1,4 +1,4 @@
-// A shorter or former path of robot/robot_state.hpp: the state of a world.
+// A former path of robot/model/robot_state.hpp: the state of a world.
 #pragma once
 
-#include <cca/sim/robot/robot_state.hpp>
+#include <cca/sim/robot/model/robot_state.hpp>

@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include <cca/dds/participant.hpp>
+#include <cca/dds/domain/participant.hpp>
 
 namespace cca::dds::detail {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/dds/channel.hpp>
+#include <cca/dds/domain/channel.hpp>
 #include <cca/dds/nodes/message_type.hpp>
 
 namespace cca::dds::detail {

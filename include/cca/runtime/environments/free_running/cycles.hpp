@@ -14,7 +14,7 @@
 #include <cca/runtime/environments/free_running/free_arrivals.hpp>
 #include <cca/runtime/environments/samples/links_of_environment.hpp>
 #include <cca/runtime/pace.hpp>
-#include <cca/runtime/recording/tell_recorder.hpp>
+#include <cca/runtime/observers/tell_recorder.hpp>
 
 namespace cca::detail {
 

@@ -13,7 +13,7 @@
 #include <cca/runtime/environments/queues/ways_from_elsewhere.hpp>
 #include <cca/runtime/environments/samples/receive_samples.hpp>
 #include <cca/runtime/environments/waiting/patience.hpp>
-#include <cca/runtime/observers.hpp>
+#include <cca/runtime/observers/loop_observers.hpp>
 
 namespace cca::detail {
 

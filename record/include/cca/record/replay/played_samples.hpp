@@ -12,7 +12,7 @@
 #include <cca/record/replay/recorded_beats.hpp>
 #include <cca/record/replay/replayed.hpp>
 #include <cca/runtime/publish.hpp>
-#include <cca/runtime/recording/beat_tap.hpp>
+#include <cca/runtime/observers/beat_tap.hpp>
 
 namespace cca::recording::detail {
 

@@ -16,7 +16,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/record/mcap/reader.hpp>
-#include <cca/record/recording_file.hpp>
+#include <cca/record/file/recording_file.hpp>
 #include <cca/runtime/transports/manifest.hpp>
 
 namespace cca::recording::detail {

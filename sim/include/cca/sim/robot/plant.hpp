@@ -22,8 +22,8 @@
 #include <utility>
 
 #include <cca/robots/ports.hpp>
-#include <cca/sim/robot/robot_model.hpp>
-#include <cca/sim/robot/robot_world.hpp>
+#include <cca/sim/robot/model/robot_model.hpp>
+#include <cca/sim/robot/world/robot_world.hpp>
 
 namespace cca::sim {
 

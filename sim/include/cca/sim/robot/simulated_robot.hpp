@@ -15,7 +15,7 @@
 // base at given times; `world()` is for all else that happens to the robot: pulls, boxes that move. A copy of
 // the node is a snapshot of the world. Cost: a beat of physics (docs/robots.md); the rest is copying numbers.
 //
-//   World   robot_world, or a type derived from it that answers more questions (cca/sim/world.hpp); its
+//   World   robot_world, or a type derived from it that answers more questions (cca/sim/oncilla/world.hpp); its
 //           `at_start()` says how it is put down unless a program does
 #pragma once
 
@@ -30,8 +30,8 @@
 #include <cca/component/port.hpp>
 #include <cca/robots/commanded_joint.hpp>
 #include <cca/robots/joint_servo.hpp>
-#include <cca/sim/push.hpp>
-#include <cca/sim/robot/robot_world.hpp>
+#include <cca/sim/robot/model/push.hpp>
+#include <cca/sim/robot/world/robot_world.hpp>
 
 namespace cca::sim {
 

@@ -13,9 +13,9 @@
 #include <numbers>
 #include <vector>
 
-#include <cca/sim/robot/coupled_joints.hpp>
+#include <cca/sim/robot/forces/coupled_joints.hpp>
 #include <cca/sim/robot/forces/mobility.hpp>
-#include <cca/sim/robot/robot_state.hpp>
+#include <cca/sim/robot/model/robot_state.hpp>
 #include <cca/sim/robot/forces/soft_joints.hpp>
 
 namespace cca::sim {

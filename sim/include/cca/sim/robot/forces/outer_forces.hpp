@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <cca/sim/robot/robot_state.hpp>
-#include <cca/sim/robot/touching.hpp>
-#include <cca/sim/robot/tree_in_engine.hpp>
+#include <cca/sim/robot/model/robot_state.hpp>
+#include <cca/sim/engine/touching.hpp>
+#include <cca/sim/robot/tree/tree_in_engine.hpp>
 
 namespace cca::sim {
 

@@ -12,8 +12,8 @@
 #include <limits>
 
 #include <cca/robots/description.hpp>
-#include <cca/sim/robot/cable_winch.hpp>
-#include <cca/sim/robot/joint_law.hpp>
+#include <cca/sim/robot/model/cable_winch.hpp>
+#include <cca/sim/robot/model/joint_law.hpp>
 
 namespace cca::sim {
 

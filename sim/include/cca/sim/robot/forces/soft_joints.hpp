@@ -13,7 +13,7 @@
 #include <ode/ode.h>
 
 #include <cca/sim/robot/forces/soft_force.hpp>
-#include <cca/sim/robot/tree_in_engine.hpp>
+#include <cca/sim/robot/tree/tree_in_engine.hpp>
 
 namespace cca::sim {
 

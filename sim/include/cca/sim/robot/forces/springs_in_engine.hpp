@@ -10,10 +10,10 @@
 #include <cmath>
 #include <utility>
 
-#include <cca/sim/engine.hpp>
-#include <cca/sim/robot/coupled_joints.hpp>
+#include <cca/sim/engine/engine.hpp>
+#include <cca/sim/robot/forces/coupled_joints.hpp>
 #include <cca/sim/robot/forces/drives_in_engine.hpp>
-#include <cca/sim/robot/tree_in_engine.hpp>
+#include <cca/sim/robot/tree/tree_in_engine.hpp>
 
 namespace cca::sim {
 

@@ -13,8 +13,8 @@
 
 #include <ode/ode.h>
 
-#include <cca/sim/robot/joint_law.hpp>
-#include <cca/sim/robot/tree_in_engine.hpp>
+#include <cca/sim/robot/model/joint_law.hpp>
+#include <cca/sim/robot/tree/tree_in_engine.hpp>
 
 namespace cca::sim {
 

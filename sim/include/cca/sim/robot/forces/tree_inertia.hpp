@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/sim/robot/tree_in_engine.hpp>
+#include <cca/sim/robot/tree/tree_in_engine.hpp>
 
 namespace cca::sim {
 

@@ -10,7 +10,7 @@
 
 #include <cca/mapping/kinematics.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
-#include <cca/sim/robot/world/moving_frame.hpp>
+#include <cca/sim/engine/moving_frame.hpp>
 
 namespace cca::sim {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <cca/sim/robot/robot_world.hpp>
+#include <cca/sim/robot/world/robot_world.hpp>
 #include <cca/sim/robot/world/world_in_engine.hpp>
 
 namespace cca::sim {

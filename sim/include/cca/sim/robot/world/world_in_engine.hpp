@@ -17,20 +17,20 @@
 
 #include <ode/ode.h>
 
-#include <cca/sim/engine.hpp>
+#include <cca/sim/engine/engine.hpp>
 #include <cca/sim/robot/forces/drives_in_engine.hpp>
 #include <cca/sim/robot/forces/gyroscopic.hpp>
-#include <cca/sim/robot/inertial_units.hpp>
-#include <cca/sim/robot/judgement.hpp>
+#include <cca/sim/robot/world/inertial_units.hpp>
+#include <cca/sim/robot/world/judgement.hpp>
 #include <cca/sim/robot/forces/outer_forces.hpp>
-#include <cca/sim/robot/robot_model.hpp>
-#include <cca/sim/robot/robot_state.hpp>
-#include <cca/sim/robot/world/robot_world_settings.hpp>
-#include <cca/sim/robot/scene.hpp>
-#include <cca/sim/robot/shapes_in_engine.hpp>
+#include <cca/sim/robot/model/robot_model.hpp>
+#include <cca/sim/robot/model/robot_state.hpp>
+#include <cca/sim/robot/model/robot_world_settings.hpp>
+#include <cca/sim/engine/scene.hpp>
+#include <cca/sim/robot/tree/shapes_in_engine.hpp>
 #include <cca/sim/robot/forces/springs_in_engine.hpp>
 #include <cca/sim/robot/forces/stops_in_engine.hpp>
-#include <cca/sim/robot/touching.hpp>
+#include <cca/sim/engine/touching.hpp>
 
 namespace cca::sim {
 

@@ -1,0 +1,110 @@
+// The ground as a value: level, a slope or steps, and its friction. It has no end.
+//
+// The robot starts around x = 0 on level ground at z = 0; slopes and steps begin at `start`. The ground is
+// the same for every y. It is a row of strips from left to right, which are computed where they are asked
+// for: its memory does not depend on how far the robot goes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace cca::sim {
+
+// A plane between two edges: at `edge_x` it has the height `edge_z`, and it rises by the angle `pitch`. The
+// first strip of a terrain begins at minus infinity, the last one ends at infinity.
+struct ground_strip {
+  double begin, end;  // x, m
+  double edge_x, edge_z, pitch;
+
+  double height(double x) const { return edge_z + (x - edge_x) * std::tan(pitch); }
+};
+
+class terrain {
+public:
+  static constexpr std::int64_t endless = std::int64_t{1} << 52;  // every smaller number of steps is exact
+
+  static terrain flat() { return terrain("flat", infinity, 0, 0, infinity, 0); }
+
+  static terrain slope(double pitch, double start = 1.5) {
+    return terrain("slope", start, pitch, 0, infinity, 1);
+  }
+
+  // Steps up by `rise` (down, if it is negative) every `run` metres, `count` of them.
+  static terrain steps(double rise = 0.006,
+                       double run = 0.6,
+                       std::int64_t count = endless,
+                       double start = 1.5) {
+    return terrain("steps", start, 0, rise, run, std::clamp<std::int64_t>(count, 0, endless));
+  }
+
+  // By name, as a command line gives it: `flat`, `slope` or `slope:DEGREES`, `steps` or `steps:MILLIMETRES`.
+  static terrain named(std::string_view text) {
+    const auto colon = text.find(':');
+    const std::string_view name = text.substr(0, colon);
+    const std::string number(colon == text.npos ? "" : text.substr(colon + 1));
+    std::size_t read = 0;
+    double value = 0;
+    try {
+      if (colon != text.npos) value = std::stod(number, &read);
+    } catch (const std::exception&) { read = number.size() + 1; }
+    if (read == number.size() && std::isfinite(value)) {
+      if (name == "flat" && colon == text.npos) return flat();
+      if (name == "slope" && std::abs(value) <= 30)
+        return slope((colon == text.npos ? 3.0 : value) * 0.017453292519943295);
+      if (name == "steps" && std::abs(value) <= 100) return steps(colon == text.npos ? 0.006 : value / 1000);
+    }
+    throw std::invalid_argument(
+        "terrain '" + std::string(text) +
+        "': expected flat, slope[:degrees, at most 30] or steps[:millimetres, at most 100]");
+  }
+
+  const std::string& name() const { return name_; }
+
+  double friction() const { return friction_; }
+  terrain with_friction(double mu) const {
+    terrain t = *this;
+    t.friction_ = mu;
+    return t;
+  }
+
+  double height(double x) const { return strip(index_at(x)).height(x); }
+
+  // Calls f(strip) for every strip that has ground between the two places, from left to right.
+  template <class F>
+  void strips_between(double low, double high, F f) const {
+    if (!(std::isfinite(low) && std::isfinite(high))) return;
+    for (std::int64_t i = index_at(low), last = index_at(high); i <= last; ++i) f(strip(i));
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  terrain(std::string name, double start, double pitch, double rise, double run, std::int64_t count)
+      : name_(std::move(name)), start_(start), pitch_(pitch), rise_(rise), run_(run), count_(count) {}
+
+  // Strip 0 is the level ground before `start`, strip i the i-th step, or the slope.
+  std::int64_t index_at(double x) const {
+    if (!(x >= start_)) return 0;
+    return static_cast<std::int64_t>(
+        std::min(static_cast<double>(count_), 1 + std::floor((x - start_) / run_)));
+  }
+
+  ground_strip strip(std::int64_t i) const {
+    if (i == 0) return {-infinity, count_ > 0 ? start_ : infinity, 0, 0, 0};
+    const auto n = static_cast<double>(i);
+    const double begin = i == 1 ? start_ : start_ + (n - 1) * run_;
+    return {begin, i == count_ ? infinity : start_ + n * run_, begin, n * rise_, pitch_};
+  }
+
+  std::string name_;
+  double start_, pitch_, rise_, run_;
+  std::int64_t count_;  // of strips after the first
+  double friction_ = 0.75;
+};
+
+}  // namespace cca::sim
