@@ -6,7 +6,7 @@
 // graphs are those of examples/combination_of_skills. Only the wires from one environment to another are
 // different: they are delayed.
 #include <cca/deployment.hpp>
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/robots/oncilla/legged_body.hpp>
 
 #include "../combination_of_skills/architecture.hpp"

@@ -15,7 +15,7 @@
 
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 
 namespace deployed {
 

@@ -26,7 +26,7 @@
 
 #include <cca/runtime/signals/write_if_possible.hpp>
 #include <cca/cca.hpp>
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/main.hpp>
 #include <cca/robots/oncilla/legged_body.hpp>
 #include <cca/runtime/interruption.hpp>

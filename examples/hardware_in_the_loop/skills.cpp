@@ -7,7 +7,7 @@
 #include <string>
 
 #include <cca/cca.hpp>
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/main.hpp>
 #include <cca/robots/oncilla/legged_body.hpp>
 

@@ -13,7 +13,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/main/end_of_run.hpp>

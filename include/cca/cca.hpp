@@ -17,8 +17,8 @@
 #include <cca/component/component.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/graph/describe.hpp>
-#include <cca/graph/diagnosis.hpp>
-#include <cca/graph/graph.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
+#include <cca/graph/items/graph.hpp>
 #include <cca/robot/limiter.hpp>
 #include <cca/robot/watchdog.hpp>
 #include <cca/runtime/controller.hpp>
@@ -29,7 +29,7 @@
 #include <cca/skeleton/decimate.hpp>
 #include <cca/skeleton/farm.hpp>
 #include <cca/skeleton/hold.hpp>
-#include <cca/graph/inner_wires.hpp>
+#include <cca/graph/items/inner_wires.hpp>
 #include <cca/skeleton/interpolate.hpp>
 #include <cca/skeleton/pipeline.hpp>
 #include <cca/skeleton/splitter.hpp>

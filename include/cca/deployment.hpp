@@ -2,7 +2,7 @@
 // threads, shared memory.
 #pragma once
 
-#include <cca/graph/deployment.hpp>
+#include <cca/graph/items/deployment.hpp>
 #include <cca/graph/describe_modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/environments/deployed.hpp>

@@ -2,5 +2,5 @@
 #pragma once
 
 #include <cca/graph/describe_modes.hpp>
-#include <cca/graph/modes.hpp>
+#include <cca/graph/items/modes.hpp>
 #include <cca/runtime/modes/mode_controller.hpp>

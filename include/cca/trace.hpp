@@ -1,5 +1,5 @@
 // Traces: when each component fired and how long it took. docs/traces.md.
 #pragma once
 
-#include <cca/graph/traceable.hpp>
+#include <cca/graph/marks/traceable.hpp>
 #include <cca/trace/tracer.hpp>

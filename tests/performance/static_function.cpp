@@ -2,7 +2,7 @@
 // it would be in a loop by hand. On clang the function had two callers, `process` and the beat, and stayed.
 #include <cmath>
 
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/space/domain.hpp>
 

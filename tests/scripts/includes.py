@@ -24,7 +24,9 @@ OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardwar
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
 # Rooms: each includes only from those before it. "." is what stands directly in the folder.
-ROOMS = {"runtime": ["signals", "samples", "observers", ".", "live", "modes", "environments", "transports"],
+ROOMS = {"graph": ["items", "plan", "diagnosis", "planning", "layout", "verdict", "marks", "modes", "deployment", "."],
+         "graph/diagnosis": [".", "rules"],
+         "runtime": ["signals", "samples", "observers", ".", "live", "modes", "environments", "transports"],
          "hardware": ["bus", "drives", "safety", "robot", "oncilla", "virtual_drives"],
          "sim": ["engine", "robot", "oncilla", "."],
          "sim/robot": ["model", "tree", "forces", "world", "."],

@@ -4,7 +4,7 @@
 usage: rules.py [ROOT of the repository]
 
 A rule is a string literal in a header that is, or begins with, its id: "space.mismatch" or "space.mismatch: ...". Each rule
-of graphs has a header of its own, a line in include/cca/graph/diagnosis/rules.hpp, and a mistake in
+of graphs has a header of its own, a line in include/cca/graph/diagnosis/rules/rules.hpp, and a mistake in
 tests/rejects/many_nodes/mistakes.cpp.
 """
 import pathlib
@@ -28,7 +28,7 @@ def rules(root):
     return found
 
 
-LIST = "include/cca/graph/diagnosis/rules.hpp"
+LIST = "include/cca/graph/diagnosis/rules/rules.hpp"
 
 
 def rules_of_graphs(root):
@@ -39,9 +39,9 @@ def rules_of_graphs(root):
 
 
 def rule_headers(root):
-    """Ids by header, of the folder where each rule has one."""
-    folder = (root / LIST).with_suffix("")
-    return {header.relative_to(root): re.findall(r'id = "([^"]+)";', header.read_text()) for header in sorted(folder.rglob("*.hpp"))}
+    """Ids by header, of the folders where each rule has one."""
+    folder = (root / LIST).parent
+    return {header.relative_to(root): re.findall(r'id = "([^"]+)";', header.read_text()) for header in sorted(folder.glob("*/*.hpp"))}
 
 
 def forgotten_strategies(root):

@@ -293,7 +293,7 @@ class Rules(Tree):
             self.write(f"include/cca/graph/diagnosis/rules/wires/{name}.hpp", f'static constexpr std::string_view id = "{id}";\n')
             self.write(f"tests/rejects/{id}.cpp", "")
 
-        self.write("include/cca/graph/diagnosis/rules.hpp", "using rules = list<\n    wire_direction,\n    wire_two_writers\n>;\n")
+        self.write("include/cca/graph/diagnosis/rules/rules.hpp", "using rules = list<\n    wire_direction,\n    wire_two_writers\n>;\n")
         header("wire_two_writers", "wire.two_writers")
         header("wire_direction", "wire.direction")
         self.write("tests/rejects/many_nodes/mistakes.cpp", "// EXPECT a: wire\\.direction: a\n// EXPECT b: wire\\.two_writers: b\n")

@@ -30,7 +30,7 @@
 #include <cca/adaptive/component_status.hpp>
 #include <cca/adaptive/sequence.hpp>
 #include <cca/component/fault.hpp>
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 
 namespace cca {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <cca/graph/describe.hpp>
-#include <cca/graph/plan/modes/plan_of_modes.hpp>
+#include <cca/graph/modes/plan_of_modes.hpp>
 
 namespace cca {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <cca/graph/traceable.hpp>
+#include <cca/graph/marks/traceable.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/main/descriptions.hpp>
 #include <cca/main/robot_program.hpp>

@@ -26,7 +26,7 @@
 #include <type_traits>
 
 #include <cca/component/component.hpp>
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 #include <cca/mapping/serial_chain.hpp>
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/limits.hpp>

@@ -34,7 +34,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 
 namespace cca {
 

@@ -16,7 +16,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/graph/diagnosis/unknown_path.hpp>
+#include <cca/graph/verdict/unknown_path.hpp>
 #include <cca/runtime/dropped_samples.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/observers/loop_observers.hpp>

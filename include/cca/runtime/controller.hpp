@@ -8,8 +8,8 @@
 // included, while a beat runs: call them between two beats, in the thread that runs them.
 #pragma once
 
-#include <cca/graph/recordable.hpp>
-#include <cca/graph/traceable.hpp>
+#include <cca/graph/marks/recordable.hpp>
+#include <cca/graph/marks/traceable.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/loop_host.hpp>
 #include <cca/runtime/observers/loop_observers.hpp>

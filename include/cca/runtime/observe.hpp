@@ -1,5 +1,5 @@
 // Observing: what a pattern names, as an array of observations. A component reads each of them by an input of
-// its own (graph/plan/steps/listen.hpp), so each is stored, late and fresh as over a wire.
+// its own (graph/planning/steps/listen.hpp), so each is stored, late and fresh as over a wire.
 #pragma once
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include <cca/graph/recordable.hpp>
+#include <cca/graph/marks/recordable.hpp>
 #include <cca/runtime/queue_entries.hpp>
 #include <cca/runtime/inputs.hpp>
 #include <cca/runtime/observers/tell_recorder.hpp>
@@ -43,7 +43,7 @@ template <class Graph, int Output, int Input, class Vector>
 void play_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_t origin);
 
 // What a component takes from the queue of an input is told to those that observe it later, by an output
-// that has no port (graph/plan/steps/listen.hpp); -1: nobody does.
+// that has no port (graph/planning/steps/listen.hpp); -1: nobody does.
 template <class Graph, int Call, int Position>
 inline constexpr int output_of_taken = [] {
   if (!call_of<Graph, Call>.tells_taken) return -1;

@@ -8,7 +8,7 @@
 // Cost: nothing in a graph without such wires; else a test for each of them in each beat.
 #pragma once
 
-#include <cca/graph/recordable.hpp>
+#include <cca/graph/marks/recordable.hpp>
 #include <cca/runtime/state.hpp>
 
 namespace cca::detail {

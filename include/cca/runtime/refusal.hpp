@@ -13,8 +13,8 @@
 
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/graph/diagnosis.hpp>
-#include <cca/graph/diagnosis/shown_ports.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
+#include <cca/graph/verdict/shown_ports.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
 
 namespace cca {

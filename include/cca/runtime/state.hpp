@@ -10,7 +10,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/layout/lookup.hpp>
-#include <cca/graph/recordable.hpp>
+#include <cca/graph/marks/recordable.hpp>
 #include <cca/runtime/samples/missed_firings.hpp>
 #include <cca/runtime/samples/arriving_samples.hpp>
 #include <cca/runtime/samples/kept_component.hpp>

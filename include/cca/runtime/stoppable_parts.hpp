@@ -23,7 +23,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/component/hooks.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/graph/diagnosis/unknown_path.hpp>
+#include <cca/graph/verdict/unknown_path.hpp>
 #include <cca/runtime/each_component.hpp>
 
 namespace cca::detail {

@@ -25,7 +25,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/skeleton/arity.hpp>
-#include <cca/graph/inner_wires.hpp>
+#include <cca/graph/items/inner_wires.hpp>
 #include <cca/skeleton/sharing.hpp>
 #include <cca/skeleton/stage_ports.hpp>
 

@@ -19,7 +19,7 @@
 #include <utility>
 
 #include <cca/skeleton/arity.hpp>
-#include <cca/graph/inner_wires.hpp>
+#include <cca/graph/items/inner_wires.hpp>
 #include <cca/skeleton/stage_ports.hpp>
 
 namespace cca {

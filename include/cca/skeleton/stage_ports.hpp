@@ -12,7 +12,7 @@
 #include <utility>
 
 #include <cca/component/component.hpp>
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 #include <cca/base/text.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/base/joined_names.hpp>

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <cca/graph/deployment.hpp>
-#include <cca/graph/modes.hpp>
+#include <cca/graph/items/deployment.hpp>
+#include <cca/graph/items/modes.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/observers/trace_event.hpp>
 

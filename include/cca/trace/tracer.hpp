@@ -25,8 +25,8 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/base/type_name.hpp>
-#include <cca/graph/plan/deployment/deployed_modes.hpp>
-#include <cca/graph/plan/modes/plan_of_modes.hpp>
+#include <cca/graph/deployment/deployed_modes.hpp>
+#include <cca/graph/modes/plan_of_modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/trace/trace_writer.hpp>
 

@@ -2,7 +2,7 @@
 // docs/recordings.md.
 #pragma once
 
-#include <cca/graph/recordable.hpp>
+#include <cca/graph/marks/recordable.hpp>
 #include <cca/record/mcap/reader.hpp>
 #include <cca/record/mcap/writer.hpp>
 #include <cca/record/page.hpp>

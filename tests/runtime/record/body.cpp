@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/robot/body_pose.hpp>
 
 #include "graphs.hpp"

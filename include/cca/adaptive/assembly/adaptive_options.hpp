@@ -4,7 +4,7 @@
 
 #include <cca/adaptive/criterion.hpp>
 #include <cca/component/strategies.hpp>
-#include <cca/graph/inner_wires.hpp>
+#include <cca/graph/items/inner_wires.hpp>
 
 namespace cca {
 

@@ -2,7 +2,7 @@
 // path from two names.
 #pragma once
 
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 
 namespace cca::detail {
 

@@ -1,8 +1,8 @@
 // Writes a message: names of nodes, ports and wires as the user knows them.
 #pragma once
 
-#include <cca/graph/plan/deployment/environments.hpp>
-#include <cca/graph/plan/modes/mode_info.hpp>
+#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/plan/mode_info.hpp>
 #include <cca/graph/plan/paths.hpp>
 
 namespace cca::detail {

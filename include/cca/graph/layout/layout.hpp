@@ -11,7 +11,7 @@
 #include <bit>
 
 #include <cca/base/array_size.hpp>
-#include <cca/graph/plan/plan.hpp>
+#include <cca/graph/planning/plan.hpp>
 
 namespace cca::detail {
 

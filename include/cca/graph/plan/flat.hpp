@@ -70,7 +70,7 @@ struct call {
   // Of a set of modes, where its samples come from a free-running environment: it fires by this clock in a
   // fast run, and as its strategy says in a wall-clock run.
   clock fast_clock = dynamic_clock;
-  // Only in a set of modes (graph/plan/modes/share.hpp):
+  // Only in a set of modes (graph/modes/share.hpp):
   bool open_clock = false;          // what it looks at tells no clock that holds after a switch
   bool unsteady = false;            // its clock is known, but another mode has another one, or lacks the node
   bool other_clocks = false;        // another mode has another one
@@ -107,8 +107,8 @@ struct input {
   std::uint64_t modes = 0;  // of a set of modes: those that have this queue
 };
 
-// How a sample is stored; decided in graph/plan/steps/storage.hpp. A queue is an input's own, and so is what
-// is on its way into one.
+// How a sample is stored; decided in graph/planning/steps/storage.hpp. A queue is an input's own, and so is
+// what is on its way into one.
 enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, queue, on_the_way };
 
 struct output {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 
 namespace cca::detail {
 

@@ -23,7 +23,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/graph/plan/deployment/environments.hpp>
+#include <cca/graph/plan/environments.hpp>
 
 namespace cca {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include <cca/graph/modes.hpp>
+#include <cca/graph/items/modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/live/ordered.hpp>
 

@@ -19,7 +19,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/graph/diagnosis/diagnosis_of_modes.hpp>
+#include <cca/graph/modes/diagnosis_of_modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/modes/mode_names.hpp>
 #include <cca/runtime/modes/mode_switch.hpp>

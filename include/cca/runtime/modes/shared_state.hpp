@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/graph/layout/layout_of_modes.hpp>
+#include <cca/graph/modes/layout_of_modes.hpp>
 #include <cca/runtime/observers/beat_tap.hpp>
 #include <cca/runtime/state.hpp>
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <cca/component/lifecycle.hpp>
-#include <cca/graph/recordable.hpp>
+#include <cca/graph/marks/recordable.hpp>
 #include <cca/runtime/observers/frame_layout.hpp>
 #include <cca/runtime/observers/frame_ring.hpp>
 #include <cca/runtime/observers/trace_link.hpp>

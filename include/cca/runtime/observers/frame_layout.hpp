@@ -20,7 +20,7 @@
 #include <cca/base/array_size.hpp>
 #include <cca/base/inlining.hpp>
 #include <cca/graph/layout/lookup.hpp>
-#include <cca/graph/recordable.hpp>
+#include <cca/graph/marks/recordable.hpp>
 #include <cca/space/origin.hpp>
 
 namespace cca::detail {

@@ -9,8 +9,8 @@
 
 #include <cca/base/inlining.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/graph/recordable.hpp>
-#include <cca/graph/traceable.hpp>
+#include <cca/graph/marks/recordable.hpp>
+#include <cca/graph/marks/traceable.hpp>
 #include <cca/runtime/observers/beat_tap.hpp>
 #include <cca/runtime/observers/trace_link.hpp>
 

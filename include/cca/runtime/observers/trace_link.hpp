@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cca/base/inlining.hpp>
-#include <cca/graph/traceable.hpp>
+#include <cca/graph/marks/traceable.hpp>
 #include <cca/runtime/observers/trace_track.hpp>
 
 namespace cca::detail {

@@ -13,7 +13,7 @@
 namespace cca::detail {
 
 // Where wires of two kinds are merged: for whom a sample counts, for the origin of what is made from it. Bit
-// 0 is the component's that takes it, the others are those of observers (graph/plan/steps/feedback.hpp).
+// 0 is the component's that takes it, the others are those of observers (graph/planning/steps/feedback.hpp).
 template <int Size, bool Varies>
 struct waiting_sample : stored_sample<Size> {
   CCA_INLINE void mark(std::uint64_t) {}

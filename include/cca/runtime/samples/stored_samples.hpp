@@ -4,8 +4,8 @@
 //   show(k, delay)                what a reader with this delay sees in beat k; null: nothing has arrived yet
 //   arrived(k, delay)             the beat in which that arrived; -1: nothing has
 //
-// Which type an output has is decided in graph/plan/steps/storage.hpp. All of them are plain values: a copy
-// is a snapshot.
+// Which type an output has is decided in graph/planning/steps/storage.hpp. All of them are plain values: a
+// copy is a snapshot.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 // Name it by a struct of your own: messages then show that name, and symbols stay short.
 #pragma once
 
-#include <cca/graph/graph.hpp>
+#include <cca/graph/items/graph.hpp>
 
 namespace cca::robots {
 

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/sim/robot.hpp>
 
 #include "architecture.hpp"

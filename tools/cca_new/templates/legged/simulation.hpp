@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/robot/body_pose.hpp>
 #include <cca/robots/oncilla/legged_body.hpp>
 #include <cca/sim/robot.hpp>

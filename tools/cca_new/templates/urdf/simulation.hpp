@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <cca/graph/shows.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/sim/robot.hpp>
 
 #include "architecture.hpp"

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <cca/graph/diagnosis.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
 #include <cca/hardware/bus/bus_traffic.hpp>
 
 namespace cca::hardware::detail {

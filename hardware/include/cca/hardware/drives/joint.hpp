@@ -21,7 +21,7 @@
 #include <numbers>
 #include <string_view>
 
-#include <cca/graph/diagnosis.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/space/limits.hpp>
 #include <cca/space/quantity.hpp>

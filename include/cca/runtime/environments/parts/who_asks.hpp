@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <cca/graph/plan/deployment/deployed_modes.hpp>
+#include <cca/graph/deployment/deployed_modes.hpp>
 #include <cca/runtime/stoppable_parts.hpp>
 
 namespace cca::detail {

@@ -31,7 +31,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/graph/deployment.hpp>
+#include <cca/graph/items/deployment.hpp>
 #include <cca/record/file/event_ring.hpp>
 #include <cca/record/mcap/writer.hpp>
 #include <cca/record/messages/architecture_text.hpp>

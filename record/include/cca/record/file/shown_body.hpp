@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include <cca/graph/diagnosis/shown_ports.hpp>
-#include <cca/graph/shows.hpp>
+#include <cca/graph/verdict/shown_ports.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/record/mcap/writer.hpp>
 #include <cca/record/messages/body_transforms.hpp>
 #include <cca/record/messages/urdf.hpp>

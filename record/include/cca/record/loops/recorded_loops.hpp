@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <cca/graph/modes.hpp>
-#include <cca/graph/plan/modes/plan_of_modes.hpp>
+#include <cca/graph/items/modes.hpp>
+#include <cca/graph/modes/plan_of_modes.hpp>
 #include <cca/record/loops/recorded_loop.hpp>
 #include <cca/runtime/environments/active_beats.hpp>
 #include <cca/runtime/environments/samples/links_of_environment.hpp>

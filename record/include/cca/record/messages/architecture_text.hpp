@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include <cca/graph/modes.hpp>
+#include <cca/graph/items/modes.hpp>
 #include <cca/runtime/stoppable_parts.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/space/space_schema.hpp>

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <cca/base/array_size.hpp>
-#include <cca/graph/modes.hpp>
-#include <cca/graph/plan/deployment/part.hpp>
-#include <cca/graph/plan/modes/plan_of_modes.hpp>
+#include <cca/graph/items/modes.hpp>
+#include <cca/graph/deployment/part.hpp>
+#include <cca/graph/modes/plan_of_modes.hpp>
 #include <cca/space/origin.hpp>
 
 namespace cca::recording::detail {

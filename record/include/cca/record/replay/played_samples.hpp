@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <cca/base/array_size.hpp>
-#include <cca/graph/deployment.hpp>
+#include <cca/graph/items/deployment.hpp>
 #include <cca/record/replay/recorded_beats.hpp>
 #include <cca/record/replay/replayed.hpp>
 #include <cca/runtime/publish.hpp>

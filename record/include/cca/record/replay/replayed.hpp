@@ -13,10 +13,10 @@
 #include <cca/component/component.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/graph/deployment.hpp>
-#include <cca/graph/modes.hpp>
-#include <cca/graph/plan/deployment/part.hpp>
-#include <cca/graph/recordable.hpp>
+#include <cca/graph/items/deployment.hpp>
+#include <cca/graph/items/modes.hpp>
+#include <cca/graph/deployment/part.hpp>
+#include <cca/graph/marks/recordable.hpp>
 #include <cca/record/replay/replayed_freely.hpp>
 #include <cca/record/replay/replayed_results.hpp>
 #include <cca/runtime/controller.hpp>

@@ -1,7 +1,7 @@
 // Step 2, connect: binds wires to ports.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {

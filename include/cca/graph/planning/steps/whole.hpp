@@ -1,7 +1,7 @@
 // Step 9, check the whole: asks the rules that need the finished plan.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {

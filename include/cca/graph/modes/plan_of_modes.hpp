@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cca/graph/layout/types.hpp>
-#include <cca/graph/modes.hpp>
-#include <cca/graph/plan/modes/clocks_after_switch.hpp>
-#include <cca/graph/plan/modes/share.hpp>
-#include <cca/graph/plan/plan.hpp>
-#include <cca/graph/traceable.hpp>
+#include <cca/graph/items/modes.hpp>
+#include <cca/graph/modes/clocks_after_switch.hpp>
+#include <cca/graph/modes/share.hpp>
+#include <cca/graph/planning/plan.hpp>
+#include <cca/graph/marks/traceable.hpp>
 
 namespace cca::detail {
 
@@ -40,7 +40,7 @@ struct item_of_modes<mode<Name, G>> {
   static constexpr std::string_view name = Name.view();
 };
 
-// The graph of mode I of a set. A deployment has others (graph/plan/deployment/deployed_modes.hpp).
+// The graph of mode I of a set. A deployment has others (graph/deployment/deployed_modes.hpp).
 template <class M, int I, class Item>
 struct graph_of_mode {
   using type = typename item_of_modes<Item>::graph;
@@ -199,7 +199,7 @@ struct mode_part : marks_of<M> {
 };
 
 // The key of a mode's beat. In the environment of a deployment it is another one
-// (graph/plan/deployment/deployed_modes.hpp).
+// (graph/deployment/deployed_modes.hpp).
 template <class M, int I>
 struct key_of_mode {
   using type = mode_part<M, I>;

@@ -5,7 +5,7 @@
 // Cost: for such an output two stores for each number, in all modes.
 #pragma once
 
-#include <cca/graph/plan/modes/same_commands.hpp>
+#include <cca/graph/modes/same_commands.hpp>
 
 namespace cca::detail {
 

@@ -15,11 +15,11 @@
 #include <string_view>
 
 #include <cca/graph/plan/arrivals.hpp>
-#include <cca/graph/plan/modes/mode_info.hpp>
+#include <cca/graph/plan/mode_info.hpp>
 #include <cca/graph/plan/names.hpp>
 #include <cca/graph/plan/scratch.hpp>
-#include <cca/graph/plan/steps/clocks.hpp>
-#include <cca/graph/plan/steps/storage.hpp>
+#include <cca/graph/planning/steps/clocks.hpp>
+#include <cca/graph/planning/steps/storage.hpp>
 
 namespace cca::detail {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <cca/graph/plan/patterns.hpp>
-#include <cca/graph/plan/steps/connect.hpp>
+#include <cca/graph/planning/steps/connect.hpp>
 
 namespace cca::detail {
 

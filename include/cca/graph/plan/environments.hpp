@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include <cca/base/array_size.hpp>
-#include <cca/graph/deployment.hpp>
+#include <cca/graph/items/deployment.hpp>
 #include <cca/graph/plan/items.hpp>
 
 namespace cca {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <cca/component/parameters.hpp>
-#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {

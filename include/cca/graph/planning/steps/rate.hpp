@@ -2,7 +2,7 @@
 // spaces.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
 
 namespace cca::detail {
 

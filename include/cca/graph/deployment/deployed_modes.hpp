@@ -10,9 +10,9 @@
 #include <tuple>
 #include <utility>
 
-#include <cca/graph/diagnosis/diagnosis_of_modes.hpp>
-#include <cca/graph/plan/deployment/part.hpp>
-#include <cca/graph/plan/modes/plan_of_modes.hpp>
+#include <cca/graph/modes/diagnosis_of_modes.hpp>
+#include <cca/graph/deployment/part.hpp>
+#include <cca/graph/modes/plan_of_modes.hpp>
 
 namespace cca::detail {
 

@@ -2,10 +2,10 @@
 // so a mistake of the architecture is reported before one of its placement.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
-#include <cca/graph/plan/deployment/environments.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
+#include <cca/graph/plan/environments.hpp>
 #include <cca/graph/plan/flat.hpp>
-#include <cca/graph/plan/modes/mode_info.hpp>
+#include <cca/graph/plan/mode_info.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {

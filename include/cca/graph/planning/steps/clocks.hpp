@@ -1,7 +1,7 @@
 // Step 6, find the clocks: when each function fires and each output is published, in the order of the beat.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
 #include <cca/graph/plan/arrivals.hpp>
 #include <cca/graph/plan/may_miss.hpp>
 

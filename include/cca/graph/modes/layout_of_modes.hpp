@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cca/graph/layout/layout.hpp>
-#include <cca/graph/plan/modes/plan_of_modes.hpp>
+#include <cca/graph/modes/plan_of_modes.hpp>
 
 namespace cca::detail {
 

@@ -6,8 +6,8 @@
 
 #include <string_view>
 
-#include <cca/graph/diagnosis.hpp>
-#include <cca/graph/shows.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
+#include <cca/graph/items/shows.hpp>
 #include <cca/space/info.hpp>
 
 namespace cca::detail {

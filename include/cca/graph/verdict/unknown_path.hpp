@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include <cca/graph/diagnosis.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
 #include <cca/graph/diagnosis/nearest_node.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
 

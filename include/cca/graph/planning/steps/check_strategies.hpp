@@ -2,7 +2,7 @@
 // and before the calls are ordered.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
 
 namespace cca::detail {
 

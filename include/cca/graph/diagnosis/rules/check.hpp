@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include <cca/graph/diagnosis/rules.hpp>
+#include <cca/graph/diagnosis/rules/rules.hpp>
 
 namespace cca::detail {
 

@@ -1,8 +1,8 @@
 // The first broken rule of a set of modes: that of its first broken mode, or one of the set itself.
 #pragma once
 
-#include <cca/graph/diagnosis.hpp>
-#include <cca/graph/layout/layout_of_modes.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
+#include <cca/graph/modes/layout_of_modes.hpp>
 
 namespace cca::detail {
 

@@ -5,10 +5,10 @@
 // does not tell when it fired before the switch, so this is kept at run time.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
-#include <cca/graph/plan/modes/mode_info.hpp>
-#include <cca/graph/plan/modes/same_commands.hpp>
-#include <cca/graph/plan/modes/unseen_samples.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
+#include <cca/graph/plan/mode_info.hpp>
+#include <cca/graph/modes/same_commands.hpp>
+#include <cca/graph/modes/unseen_samples.hpp>
 
 namespace cca::detail {
 

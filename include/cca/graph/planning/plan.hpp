@@ -20,16 +20,16 @@
 #include <cca/graph/plan/flat.hpp>
 #include <cca/graph/plan/long_beats.hpp>
 #include <cca/graph/plan/names.hpp>
-#include <cca/graph/plan/steps/flatten.hpp>
-#include <cca/graph/plan/steps/connect.hpp>
-#include <cca/graph/plan/steps/listen.hpp>
-#include <cca/graph/plan/steps/rate.hpp>
-#include <cca/graph/plan/steps/check_strategies.hpp>
-#include <cca/graph/plan/steps/order.hpp>
-#include <cca/graph/plan/steps/clocks.hpp>
-#include <cca/graph/plan/steps/feedback.hpp>
-#include <cca/graph/plan/steps/storage.hpp>
-#include <cca/graph/plan/steps/whole.hpp>
+#include <cca/graph/planning/steps/flatten.hpp>
+#include <cca/graph/planning/steps/connect.hpp>
+#include <cca/graph/planning/steps/listen.hpp>
+#include <cca/graph/planning/steps/rate.hpp>
+#include <cca/graph/planning/steps/check_strategies.hpp>
+#include <cca/graph/planning/steps/order.hpp>
+#include <cca/graph/planning/steps/clocks.hpp>
+#include <cca/graph/planning/steps/feedback.hpp>
+#include <cca/graph/planning/steps/storage.hpp>
+#include <cca/graph/planning/steps/whole.hpp>
 
 namespace cca::detail {
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cca/graph/layout/types.hpp>
-#include <cca/graph/plan/deployment/place_components.hpp>
+#include <cca/graph/deployment/place_components.hpp>
 #include <cca/graph/plan/may_miss.hpp>
-#include <cca/graph/plan/plan.hpp>
-#include <cca/graph/traceable.hpp>
+#include <cca/graph/planning/plan.hpp>
+#include <cca/graph/marks/traceable.hpp>
 
 namespace cca::detail {
 

@@ -3,7 +3,7 @@
 // all placed.
 #pragma once
 
-#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/diagnosis/rules/check.hpp>
 #include <cca/graph/plan/scratch.hpp>
 
 namespace cca::detail {
