@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -84,6 +85,48 @@ void play(A& loop, B& spread, unsigned seed, int calls) {
     check_same(loop, spread);
     if (loop.state() == cca::state::faulted) both([](auto& c) { c.resume(); });
   }
+}
+
+// `c` and what follows it are fed by a free-running component in one mode and by a clock in the other.
+template <cca::fixed_string Other>
+struct turns_in_nine {
+  auto process(cca::beat now) -> cca::switch_to<Other> { return now.index() % 9 == 3; }
+};
+template <cca::fixed_string Turns, cca::fixed_string Other, cca::fixed_string Feeds>
+using fed_by = cca::graph<cca::rate<1000>,
+                          cca::node<"robot", robot>,
+                          cca::node<Turns, turns_in_nine<Other>>,
+                          cca::node<"eyes", slow_eyes, cca::full_speed>,
+                          cca::node<"clock", noting<3>, cca::timed<1>>,
+                          cca::node<"c", noting<21>>,
+                          cca::node<"after", noting<22>>,
+                          cca::node<"late", noting<24>>,
+                          cca::wire<"robot.y", "eyes.x">,
+                          cca::wire<"robot.y", "clock.x">,
+                          cca::wire<"clock.y", "robot.x", cca::delayed<1>>,
+                          cca::wire<Feeds, "c.x">,
+                          cca::wire<"c.y", "after.x">,
+                          cca::wire<Feeds, "late.x", cca::delayed<1>>>;
+struct fed_freely : fed_by<"turn", "fed_by_clock", "eyes.y"> {};
+struct fed_by_clock : fed_by<"back", "fed_freely", "clock.y"> {};
+struct fed_either_way
+    : cca::modes<cca::mode<"fed_freely", fed_freely>, cca::mode<"fed_by_clock", fed_by_clock>> {};
+struct eyes_apart : cca::deployment<fed_either_way,
+                                    cca::environment<"robot", cca::other_nodes>,
+                                    cca::environment<"eyes", cca::nodes<"eyes">, cca::free_running>> {};
+
+// It fires with fresh samples only, and each dt() is the time since it fired before.
+std::string complaint_about_times(const journal& j) {
+  std::int64_t last = -1;
+  for (const seen& one : j.all) {
+    if (one.beat < 0) continue;
+    const std::string at = "beat " + std::to_string(one.beat) + ": ";
+    if (!one.fresh) return at + "it fired without a sample";
+    if (last >= 0 && std::abs(one.dt - 0.001 * static_cast<double>(one.beat - last)) > 1e-9)
+      return at + "dt is " + std::to_string(one.dt) + ", and it fired in beat " + std::to_string(last);
+    last = one.beat;
+  }
+  return last < 0 ? "it never fired" : "";
 }
 
 }  // namespace
@@ -267,6 +310,18 @@ TEST_SUITE("deployed free-running modes") {
       return;
     }
     MESSAGE("contact was lost each time");
+  }
+
+  TEST_CASE("in a wall-clock run: fed freely in one mode, and by a clock in the other") {
+    const cycles_of slow(5'300);
+    cca::deployed<eyes_apart> d;
+    begin(d);
+    d.run(cca::for_beats<300>{}, cca::at_speed(0.5));
+    REQUIRE_FALSE(d.fault());
+    CHECK_EQ(complaint_about_times(d.get<"c">()), "");
+    CHECK_EQ(complaint_about_times(d.get<"after">()), "");
+    CHECK_EQ(complaint_about_times(d.get<"late">()), "");
+    CHECK_LT(firings(d.get<"c">()).all, 270);  // not in each beat
   }
 
   TEST_CASE("a window asks for modes, and pauses") {
