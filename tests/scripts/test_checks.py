@@ -1,5 +1,9 @@
 """Tests of the checks: each must accept correct input and report every mistake."""
+import os
 import pathlib
+import re
+import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -433,33 +437,187 @@ class Troubleshooting(Tree):
 
 
 class Drives(Tree):
-    def test_all(self):
-        codec = self.write(f"{drives.HARDWARE}/drives/acme2.hpp", "struct acme2 {\n  static constexpr bool decode(const can_frame& f) {}\n};\n")
-        self.assertEqual(len(list(drives.problems(self.root))), len(drives.PARTS) + 1)
-        whole = {
-            "acme2.hpp": "#include <cca/hardware/drives/acme2.hpp>",
-            "virtual_acme2.hpp": "#include <cca/hardware/virtual_drives/virtual_acme2.hpp>",
-            "virtual_drives/virtual_acme2.hpp": "",
-            "virtual_drives/virtual_of.hpp": "#include <cca/hardware/virtual_drives/virtual_acme2.hpp>",
-            "virtual_drives/virtual_drive.hpp": "Models: virtual_acme2.hpp",
-            "drives/drive.hpp": "Models: mit.hpp, acme2.hpp. docs/drives.md",
+    DECODES = "  static constexpr bool decode(const can_frame& f, drive_report& r) noexcept { return f.length == r.length; }\n"
+    OF = "template <class M, int N>\nstruct virtual_of<acme2<M, N>> : virtual_acme2<acme2<M, N>> {};\n"
+    PLAYED = "template <class M, int N>\nstruct played<hw::acme2<M, N>> {\n  using type = hw::virtual_acme2<hw::acme2<M, N>>;\n};\n"
+    FAMILIES = 'inline constexpr const char* families =\n    "mit:MODEL:NUMBER, "\n    "acme2:KP:NUMBER";\n'
+    WITH = ('template <class F>\nauto with_drive(const std::string& text, F&& f) {\n  if (p.family == "acme2") {\n'
+            "    return f.template operator()<unit_acme2>(acme2_address{p.number}, s);\n  }\n}\n")
+    VIRTUAL = "template <class Drive>\nclass virtual_acme2 {\npublic:\n  bool hear(const can_frame&);\n  drive_command law(int);\n  drive_frames answer(int);\n};\n"
+    LAWS = '#include "../../laws/drive_laws.hpp"\n\nusing servo = acme2<motor, 1>;\n\nTEST_CASE("acme2: the laws of a drive") {\n  laws::drive<servo>();\n}\n'
+    RIGS = ("template <class V>\nstruct rig {};\nstruct ak : rig<virtual_mit<hip>> {};\nstruct acme : rig<virtual_acme2<hip>> {};\n"
+            'TEST_CASE_TEMPLATE("the laws", Rig, ak, acme) {\n  laws::virtual_drive<Rig>();\n}\n')
+    FUZZ = "using drive = acme2<motor, 1>;\nextern \"C\" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {\n  fuzz::hears<drive>(data, size);\n}\n"
+    HEADER_ROW, SOURCE_ROW = "| `<cca/hardware/acme2.hpp>` | `acme2<Motor>` |\n", "| Acme 2, firmware 1 | its manual | |\n"
+    PAGE = ("# Drives\n\n| header | what |\n|---|---|\n" + HEADER_ROW + "\n| | `mit_drive` | `acme2` |\n|---|---|---|\n| for | AK | ACME |\n"
+            "\n| | `virtual_mit` | `virtual_acme2` |\n|---|---|---|\n| moves | after `enter` | at once |\n"
+            "\n## Sources, and what is not verified\n\n| | source | not verified |\n|---|---|---|\n" + SOURCE_ROW)
+    ADDRESS = "struct acme2_address {\n  void to_real(can_frame& f) const;\n  bool to_unit(can_frame& f) const;\n};\n"
+    ADDRESSES, NAMES, HELP = "tools/cca_can/drives/addresses.hpp", "tools/cca_can/drives/drive_name.hpp", "tools/cca_can/commands/help.hpp"
+    DRIVE = f"{drives.HARDWARE}/drives/acme2.hpp"
+
+    def codec(self, decodes=DECODES):
+        return f"// Why.\n#pragma once\n\ntemplate <class Motor, int Number>\nstruct acme2 {{\n{decodes}}};\n"
+
+    def setUp(self):
+        super().setUp()
+        self.whole = {
+            self.DRIVE: self.codec(),
+            f"{drives.HARDWARE}/acme2.hpp": "#include <cca/hardware/drives/acme2.hpp>\n",
+            f"{drives.HARDWARE}/virtual_acme2.hpp": "#include <cca/hardware/virtual_drives/virtual_acme2.hpp>\n",
+            f"{drives.HARDWARE}/virtual_drives/virtual_acme2.hpp": self.VIRTUAL,
+            f"{drives.HARDWARE}/virtual_drives/virtual_of.hpp": "#include <cca/hardware/virtual_drives/virtual_acme2.hpp>\n" + self.OF,
+            f"{drives.HARDWARE}/virtual_drives/virtual_drive.hpp": "// Models: virtual_mit.hpp,\n// virtual_acme2.hpp. Laws: a.hpp\n#include <cca/hardware/drives/drive.hpp>\n",
+            f"{drives.HARDWARE}/drives/drive.hpp": "// Models: mit.hpp, acme2.hpp. docs/drives.md\n",
+            "tests/runtime/hardware/acme2.cpp": self.LAWS,
+            "tests/runtime/drive_chain/virtual_drives.cpp": self.RIGS,
+            "tests/fuzz/acme2.cpp": self.FUZZ,
+            "tests/fuzz/corpus/acme2/first": "0123456789",
+            "docs/drives.md": self.PAGE,
+            "docs/README.md": "| | [Drives](drives.md) | MIT, Acme 2: units |\n",
+            self.ADDRESSES: "#include <cca/hardware/acme2.hpp>\n" + self.ADDRESS,
+            self.NAMES: "#include <cca/hardware/virtual_acme2.hpp>\n" + self.FAMILIES + self.WITH + self.PLAYED,
+            self.HELP: 'inline constexpr const char* help_text = R"(DRIVE: mit:3, acme2:KP:3\n)";\n',
+            "docs/cca_can.md": "| name | drive |\n|---|---|\n| `acme2:80:3` | Acme 2 |\n",
         }
-        for name, text in whole.items():
-            self.write(f"{drives.HARDWARE}/{name}", text)
-        self.write("tests/runtime/hardware/acme2.cpp", '#include "../../laws/drive_laws.hpp"')
-        self.write("tests/runtime/drive_chain/virtual_drives.cpp", "struct r : rig<virtual_acme2<hip>> {};")
-        self.write("tests/fuzz/acme2.cpp", "fuzz::hears<acme2>(data, size);")
-        self.write("tests/fuzz/corpus/acme2/first", "x")
-        self.write("docs/drives.md", "| `<cca/hardware/acme2.hpp>` |\n| | `acme2` |\n| | `virtual_acme2` |\n")
-        self.write("docs/README.md", "| | [Drives](drives.md) | Acme 2: units |\n")
-        self.write("tools/cca_can/drives/drive_name.hpp", "#include <cca/hardware/virtual_acme2.hpp>")
-        self.write("tools/cca_can/commands/help.hpp", "acme2:3")
-        self.assertEqual(list(drives.problems(self.root)), [])
+        for name, text in self.whole.items():
+            self.write(name, text)
+
+    def found(self):
+        return list(drives.problems(self.root))
+
+    def one_hole(self, file, old, new, what):
+        """Without `old` the family lacks exactly this."""
+        self.assertIn(old, self.whole[file])
+        self.write(file, self.whole[file].replace(old, new))
+        with self.subTest(file=file, new=new):
+            found = self.found()
+            self.assertEqual(len(found), 1, found)
+            self.assertIn(f"{file}: the drive `acme2` lacks {what}: add ", found[0])
+            self.assertRegex(found[0], rf" in {re.escape(file)} \(step [2-7] of How to add a drive in CONTRIBUTING.md\)$")
+        self.write(file, self.whole[file])
+
+    def test_whole(self):
+        self.assertEqual(self.found(), [])
+
+    def test_each_file_is_needed(self):
+        for file, text in self.whole.items():
+            if file == self.DRIVE:
+                continue
+            (self.root / file).unlink()
+            with self.subTest(file=file):
+                self.assertTrue(self.found())
+            self.write(file, "")
+            with self.subTest(file=file, empty=True):
+                self.assertTrue(self.found())
+            self.write(file, text)
+        self.assertEqual(self.found(), [])
+
+    def test_step_2(self):
+        virtual = f"{drives.HARDWARE}/virtual_drives"
+        self.one_hole(f"{drives.HARDWARE}/acme2.hpp", "#include", "// #include", "its short path for programs")
+        self.one_hole(f"{drives.HARDWARE}/virtual_acme2.hpp", "#include", "// #include", "the short path of its virtual drive")
+        self.one_hole(f"{virtual}/virtual_acme2.hpp", self.VIRTUAL, "template <class Drive> struct virtual_acme2 {};", "its virtual drive")
+        for new in ("", f"// {self.OF}".replace("\n", " "), f"/* {self.OF} */", f"#if 0\n{self.OF}#endif\n"):
+            self.one_hole(f"{virtual}/virtual_of.hpp", self.OF, new, "the way from it to its virtual drive, which `virtual_robot` takes")
+
+    def test_steps_3_to_5(self):
+        laws, rigs, fuzz = "tests/runtime/hardware/acme2.cpp", "tests/runtime/drive_chain/virtual_drives.cpp", "tests/fuzz/acme2.cpp"
+        for old, new in (("  laws::drive<servo>();", ""), ("  laws", "  // laws"), ("acme2<motor, 1>", "mit_drive<motor, 1>"), ("TEST_CASE", "void f")):
+            self.one_hole(laws, old, new, "a test of the laws of drives")
+        for old, new in ((", acme)", ")"), ("virtual_acme2", "virtual_mit"), (", acme)", ") // acme virtual_acme2<hip>\n"), ("  laws", "  // laws")):
+            self.one_hole(rigs, old, new, "a test of the laws of virtual drives")
+        for old, new in (("  fuzz::hears", "  // fuzz::hears"), ("acme2<motor", "mit_drive<motor")):
+            self.one_hole(fuzz, old, new, "a fuzz target of its decoder")
+        (self.root / "tests/fuzz/corpus/acme2/first").unlink()
+        for name, text in ((".keep", "0123456789"), ("first", ""), ("first", "012345")):
+            file = self.write(f"tests/fuzz/corpus/acme2/{name}", text)
+            with self.subTest(name=name, text=text):
+                self.assertEqual(["tests/fuzz/corpus/acme2: the drive `acme2` lacks a first frame for its fuzz target: add a file with a frame of more than 6 bytes in "
+                                  "tests/fuzz/corpus/acme2 (step 5 of How to add a drive in CONTRIBUTING.md)"], self.found())
+            file.unlink()
+
+    def test_step_6(self):
+        page = "docs/drives.md"
+        self.one_hole(page, self.HEADER_ROW, "", "its row in the table of headers")
+        self.one_hole(page, self.HEADER_ROW, f"\n<!--\n{self.HEADER_ROW}-->\n", "its row in the table of headers")
+        self.one_hole(page, self.SOURCE_ROW, "", "its row in the table of sources")
+        self.one_hole(page, "its manual", "", "its row in the table of sources")
+        self.one_hole(page, "| `acme2` |", "| `acme` |", "its column in the table of drives")
+        self.one_hole(page, "| AK | ACME |", "| AK | |", "its column in the table of drives")
+        self.one_hole(page, "| `virtual_acme2` |", "| `virtual_acme` |", "its column in the table of virtual drives")
+        self.one_hole(page, "| at once |", "| |", "its column in the table of virtual drives")
+        self.one_hole(f"{drives.HARDWARE}/drives/drive.hpp", ", acme2.hpp.", ". Not acme2.hpp.", "its name in the list of models")
+        self.one_hole(f"{drives.HARDWARE}/virtual_drives/virtual_drive.hpp", "// virtual_acme2.hpp. Laws: a.hpp", "// virtual_acme.hpp.\n#include <virtual_acme2.hpp>",
+                      "the name of its virtual drive in the list of models")
+        self.one_hole("docs/README.md", "Acme 2", "Acme 23", "its name in the list of pages")
+
+    def test_step_7(self):
+        for new in ("", "// acme2_address", "struct acme2_address {};"):
+            self.one_hole(self.ADDRESSES, self.ADDRESS, new, "its address in cca-can")
+        for old, new in (("acme2:KP:NUMBER", ""), ('"acme2:KP:NUMBER"', '""  // "acme2:KP:NUMBER"\n')):
+            self.one_hole(self.NAMES, old, new, "its row in the list of families of cca-can")
+        for new in ("auto with_drive(int) { /* \"acme2\" acme2_address */ }", "auto with_drive(int) {}\nint f() { return acme2_address(\"acme2\"); }"):
+            self.one_hole(self.NAMES, self.WITH, new, "its place among the drives of cca-can")
+        for new in ("", f"#if 0\n{self.PLAYED}#endif\n", self.PLAYED.replace("virtual_acme2", "virtual_mit")):
+            self.one_hole(self.NAMES, self.PLAYED, new, "a drive that cca-can can play")
+        self.one_hole(self.HELP, ", acme2:KP:3", "", "its name in the help of cca-can")
+        self.one_hole(self.HELP, ", acme2:KP:3\n)\";", "\n)\";  // acme2:KP:3", "its name in the help of cca-can")
+        self.one_hole("docs/cca_can.md", "| `acme2:80:3` | Acme 2 |", "", "its row in the table of drives of cca-can")
+        self.one_hole("docs/cca_can.md", "| Acme 2 |", "| |", "its row in the table of drives of cca-can")
+
+    def test_a_family_is_found_however_it_spells_decode(self):
         (self.root / "tests/fuzz/acme2.cpp").unlink()
-        self.assertEqual(list(drives.problems(self.root)),
-                         ["tests/fuzz/acme2.cpp: the drive `acme2` lacks a fuzz target of the decoder (step 5 of How to add a drive)"])
-        codec.unlink()
-        self.assertIn("no family of drives found", list(drives.problems(self.root))[0])
+        for decodes in ("static constexpr auto decode(frame f) -> bool { return true; }", "constexpr static bool decode(frame f) { return true; }",
+                        "static constexpr bool\n  decode(frame f) { return true; }", "[[nodiscard]] static inline constexpr bool decode (frame f) { return true; }",
+                        "static bool decode(frame f) { return true; }", "template <class Frame>\n  static constexpr bool decode(Frame f) { return true; }",
+                        "static /* why */ constexpr bool decode(frame f);", "enum class e { a };\n  struct request { int i; };\n  static bool decode(frame f);"):
+            self.write(self.DRIVE, self.codec(decodes))
+            with self.subTest(decodes=decodes):
+                self.assertEqual(["tests/fuzz/acme2.cpp: the drive `acme2` lacks a fuzz target of its decoder: add `LLVMFuzzerTestOneInput` with a call of "
+                                  "`fuzz::hears<acme2...>` in tests/fuzz/acme2.cpp (step 5 of How to add a drive in CONTRIBUTING.md)"], self.found())
+        for other in ("// static constexpr bool decode(frame f)", 'static constexpr auto text = "static bool decode(frame)";', "bool f(frame x) { return decode(x); }"):
+            self.write(self.DRIVE, self.codec(other))
+            with self.subTest(other=other):
+                self.assertIn("there is no family of drives", self.found()[0])
+
+    def test_another_name_of_the_type(self):
+        """As of mit.hpp, whose type is mit_drive."""
+        for file, text in self.whole.items():
+            self.write(file, re.sub(r"\bacme2(?=<| \{\n|`)", "acme2_drive", text))
+        self.assertEqual(self.found(), [])
+
+    def test_files_that_cannot_be_read(self):
+        folder = self.root / drives.DRIVES
+        for make, says in ((lambda file: file.write_bytes(b"// \xff\n"), "byte 4 is not UTF-8: save the file as UTF-8"),
+                           (lambda file: file.mkdir(), "this is a folder, and a file of this name is expected: rename the folder"),
+                           (lambda file: file.symlink_to("nothing"), "this is a link to a file that does not exist: remove the link, or make the file")):
+            file = folder / "odd.hpp"
+            make(file)
+            with self.subTest(says=says):
+                self.assertEqual(self.found(), [f"{drives.DRIVES}/odd.hpp: {says}"])
+            file.rmdir() if file.is_dir() else file.unlink()
+        (self.root / self.NAMES).write_bytes(b"\xc3")
+        self.assertEqual(self.found(), [f"{self.NAMES}: byte 1 is not UTF-8: save the file as UTF-8"])
+
+    def test_utf_8_where_the_machine_has_ascii(self):
+        self.write(self.DRIVE, "").write_bytes("// Größe\n".encode() + self.codec().encode())
+        plain = {**os.environ, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "LC_ALL": "C"}
+        ran = subprocess.run([sys.executable, drives.__file__, str(self.root)], env=plain, capture_output=True, text=True)
+        self.assertEqual((ran.stdout, ran.stderr, ran.returncode), ("each drive is whole\n", "", 0))
+
+    def test_names_are_words_and_no_patterns(self):
+        self.write(f"{drives.DRIVES}/a+b(.hpp", self.codec().replace("acme2", "ab"))
+        found = self.found()
+        self.assertEqual(len(found), 21)
+        self.assertTrue(all("the drive `a+b(` lacks " in one for one in found), found)
+        self.write(f"{drives.DRIVES}/a+b(.hpp", "")
+        self.write(f"{drives.DRIVES}/acme.2.hpp", self.codec().replace("acme2", "other"))
+        self.assertEqual(len(self.found()), 21)
+
+    def test_no_family(self):
+        (self.root / self.DRIVE).unlink()
+        self.assertIn("there is no family of drives", self.found()[0])
 
 
 class Temporary(Tree):
