@@ -12,7 +12,7 @@ import re
 import sys
 
 FAMILIES = ("space observe plan wire node graph rate queue strategy component parameters robot frame transform mapping body skeleton learner "
-            "criterion latency remote deployment modes part bus drive quantity beat recording compiler").split()
+            "criterion latency remote deployment modes part bus drive quantity beat run recording compiler").split()
 LITERAL = re.compile(r'"((?:%s)\.[a-z_]+)[":]' % "|".join(FAMILIES))
 
 

@@ -8,6 +8,7 @@
 
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/runtime/run_arguments.hpp>
 #include <cca/runtime/run_record.hpp>
 
 namespace cca::detail {
@@ -32,6 +33,7 @@ public:
   // fault, and where `between` returns false. Whatever ends it, an exception too, it is then `started` or
   // `faulted`.
   template <class Duration, class Pace = as_fast_as_possible, class Between = void (*)(Self&)>
+    requires RunArguments<Duration, Pace>
   cca::state run(Duration duration, Pace pace = {}, Between&& between = [](Self&) {}) {
     this->move(transition::run, "run()");
     {
@@ -50,6 +52,12 @@ public:
     }
     if (now == cca::state::started) this->tell_state();
     tell_end(between, self());
+    return now;
+  }
+  template <class... Arguments>
+    requires(!RunArguments<Arguments...>)
+  cca::state run(Arguments&&...) {
+    refuse_run<Arguments...>();
     return now;
   }
 

@@ -34,6 +34,7 @@
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/environments/placed_components.hpp>
 #include <cca/runtime/refusal.hpp>
+#include <cca/runtime/run_arguments.hpp>
 #include <cca/runtime/run_record.hpp>
 #include <cca/runtime/environments/transport.hpp>
 #include <cca/runtime/environments/waiting/obeyed_control.hpp>
@@ -115,6 +116,7 @@ public:
   // Beats for a time, at a pace. Ends at once on a fault, and where `between` returns false. Whatever ends
   // it, all environments have done the same number of beats then.
   template <class Duration, class Pace = as_fast_as_possible, class Between = detail::nothing_between>
+    requires detail::RunArguments<Duration, Pace>
   cca::state run(Duration duration, Pace pace = {}, Between&& between = {}) {
     move(detail::transition::run, "run()");
     bool is_stopped_elsewhere = false;
@@ -125,6 +127,12 @@ public:
     if (is_stopped_elsewhere) stop();
     else this->tell_state();
     detail::tell_end(between, *this);
+    return now;
+  }
+  template <class... Arguments>
+    requires(!detail::RunArguments<Arguments...>)
+  cca::state run(Arguments&&...) {
+    detail::refuse_run<Arguments...>();
     return now;
   }
 
