@@ -84,7 +84,7 @@ def compiled(files, root, compilers):
     for compiler in compilers:
         for file in files:
             one = Reject(file)
-            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/robots/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", *eigen], file, "-DCCA_REJECT=1", *one.flags)
+            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/robots/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", f"-I{root}/record/include", *eigen], file, "-DCCA_REJECT=1", *one.flags)
             first = next((error for error in reject.errors(output)[:one.allowed] if re.search(one.expect, reject.sentence(error))), "")
             if not first:
                 sys.exit(f"{file} on {compiler}: unexpected output\n{output}")

@@ -8,7 +8,6 @@
 
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/pace.hpp>
-#include <cca/runtime/run_arguments.hpp>
 #include <cca/runtime/run_record.hpp>
 
 namespace cca::detail {
@@ -57,8 +56,7 @@ public:
   template <class... Arguments>
     requires(!RunArguments<Arguments...>)
   cca::state run(Arguments&&...) {
-    refuse_run<Arguments...>();
-    return now;
+    return refuse_run<Arguments...>();
   }
 
   // In the wall-clock runs since start(): the beats that were still running when the next should

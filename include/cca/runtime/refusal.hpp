@@ -18,12 +18,28 @@
 #include <cca/graph/layout/nodes_by_path.hpp>
 
 namespace cca {
+
+template <class Graph>
+class controller;
+template <class D>
+class deployed;
+
 namespace detail {
 
 struct anything {
   template <class... Values>
   constexpr anything(Values&&...) {}
 };
+
+// The controller of what breaks a rule. What is made from it (a recorder, a tracer, a live_access) does
+// nothing, so nothing else is reported.
+template <class>
+inline constexpr bool is_refused = false;
+template <class Graph>
+inline constexpr bool is_refused<controller<Graph>> = !well_formed<Graph>;
+template <class D>
+inline constexpr bool is_refused<deployed<D>> = !well_formed<D>;
+template <class Controller> concept Refused = is_refused<Controller>;
 
 }  // namespace detail
 
@@ -72,7 +88,7 @@ public:
   void resume() {}
   bool step() noexcept { return false; }
   template <class Duration, class Pace = int, class Between = int>
-  cca::state run(Duration, Pace = {}, Between&& = {}) {
+  cca::state run(const Duration&, const Pace& = {}, Between&& = {}) {
     return {};
   }
   cca::state state() const noexcept { return {}; }

@@ -175,6 +175,19 @@ private:
   detail::trace_writer writer;
 };
 
+// Of a controller that breaks a rule: the message is the controller's.
+template <detail::Refused Controller>
+class tracer<Controller> {
+public:
+  tracer(Controller&, const std::string&, const trace_settings& = {}) {}
+  ~tracer() {}
+  void close() {}
+  void discard() {}
+  trace_summary summary() const { return {}; }
+  std::int64_t lost_beats() const { return 0; }
+  std::string problem() const { return {}; }
+};
+
 template <class Controller>
 tracer(Controller&, const std::string&, const trace_settings& = {}) -> tracer<Controller>;
 

@@ -34,7 +34,6 @@
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/environments/placed_components.hpp>
 #include <cca/runtime/refusal.hpp>
-#include <cca/runtime/run_arguments.hpp>
 #include <cca/runtime/run_record.hpp>
 #include <cca/runtime/environments/transport.hpp>
 #include <cca/runtime/environments/waiting/obeyed_control.hpp>
@@ -45,11 +44,12 @@ namespace cca {
 template <class D>
 class deployed : public controller<D> {
   static_assert(AnyDeployment<D> || !well_formed<D>,
-                "cca::deployed: its argument is no deployment: give it a struct derived from "
-                "cca::deployment<Architecture, cca::environment<...>, ...>, or run the graph by "
-                "cca::controller<Graph>");
+                "cca::deployed: its argument is no deployment: derive it from cca::deployment<Architecture, "
+                "cca::environment<...>, ...>, or run the graph by cca::controller<Graph>");
 
 public:
+  template <class... Arguments>
+  deployed(const Arguments&...) {}
   std::int64_t late() const noexcept { return 0; }
 };
 
@@ -132,8 +132,7 @@ public:
   template <class... Arguments>
     requires(!detail::RunArguments<Arguments...>)
   cca::state run(Arguments&&...) {
-    detail::refuse_run<Arguments...>();
-    return now;
+    return detail::refuse_run<Arguments...>();
   }
 
   // One component, by its path: also while it runs, in the thread of the environment that runs it, between
@@ -332,8 +331,7 @@ private:
 
   std::shared_ptr<const detail::peers> others;  // null: all are here
   std::shared_ptr<detail::exchange<D>> shared;
-  std::int64_t k = 0;
-  std::int64_t stops_called = 0;  // since the last run
+  std::int64_t k = 0, stops_called = 0;  // the next beat; stops since the last run
   std::array<std::int64_t, detail::array_size(detail::environment_count<D>)> looked_at{};  // 0: not now
   detail::run_record runs{};
   detail::real_time_refusals<D> refusals{};

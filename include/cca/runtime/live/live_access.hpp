@@ -32,6 +32,7 @@
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/live/live_outputs.hpp>
 #include <cca/runtime/live/live_requests.hpp>
+#include <cca/runtime/live/no_live_access.hpp>
 
 namespace cca {
 namespace detail {
@@ -165,6 +166,20 @@ public:
     this->template look_after<0>(d);
     return this->look(d);
   }
+};
+
+// Of a controller that breaks a rule: the message is the controller's.
+template <class Graph>
+  requires(!well_formed<Graph>)
+class live_access<controller<Graph>> : public detail::no_live_access {
+public:
+  explicit live_access(const controller<Graph>&) {}
+};
+template <class D>
+  requires(!well_formed<D>)
+class live_access<deployed<D>> : public detail::no_live_access {
+public:
+  explicit live_access(const deployed<D>&) {}
 };
 
 template <class Controller>

@@ -42,6 +42,7 @@
 #include <cca/record/loops/recorded_loops.hpp>
 #include <cca/record/file/recording_file.hpp>
 #include <cca/record/file/settings.hpp>
+#include <cca/runtime/refusal.hpp>
 
 namespace cca::recording {
 
@@ -242,6 +243,24 @@ private:
   std::vector<std::pair<std::string, detail::text_map>> notes;
   std::string what_failed;
   std::thread writer;
+};
+
+// Of a controller that breaks a rule: the message is the controller's.
+template <cca::detail::Refused Controller>
+class recorder<Controller> {
+public:
+  recorder(Controller&, const std::string&, const settings& = {}) {}
+  ~recorder() {}
+  recorder(const recorder&) = delete;
+  recorder& operator=(const recorder&) = delete;
+  void open() {}
+  void note(const std::string&, const std::map<std::string, std::string>&) {}
+  void note(const std::string&, const std::string&) {}
+  void close() {}
+  void discard() {}
+  std::int64_t lost_beats() const noexcept { return 0; }
+  std::int64_t lost_events() const noexcept { return 0; }
+  std::string problem() const { return {}; }
 };
 
 template <class Controller>

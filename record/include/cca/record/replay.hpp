@@ -36,9 +36,14 @@ template <class Graph, class Prepare>
 replay_result replay(const std::string& file, Prepare prepare) {
   static_assert(cca::detail::Recordable<Graph>,
                 "cca::recording::replay: derive the graph from cca::recordable");
-  const auto run = std::make_unique<detail::replay_run<Graph>>(file);
-  prepare(run->robot());
-  return run->go();
+  if constexpr (well_formed<Graph>) {
+    const auto run = std::make_unique<detail::replay_run<Graph>>(file);
+    prepare(run->robot());
+    return run->go();
+  } else {
+    static_assert(sizeof(controller<Graph>) != 0);  // the message
+    return {};
+  }
 }
 template <class Graph>
 replay_result replay(const std::string& file) {
