@@ -39,10 +39,11 @@ protected:
     return own > 0 ? own : self().beat_index();
   }
   // What another thread asks for: a part, or, below 0, the mode. A part that one environment of this process
-  // has is stopped in the thread of that one; but where components may ask for it in the same beat, an order
-  // comes after them.
+  // has is stopped in the thread of that one. But where components may ask for it in the same beat, an order
+  // comes after them; and where modes may lack it, an order comes after those for modes.
   bool needs_order(int part) const {
-    return part < 0 || is_spread_part<D>(part) || !self().is_part_here(part) || is_asked_for<D>(part);
+    return part < 0 || is_spread_part<D>(part) || !self().is_part_here(part) || is_asked_for<D>(part) ||
+           (DeploymentOfModes<D> && !is_part_of<D>(part, first_here()));
   }
   // From the thread of the first environment here. The beat in which it has effect.
   std::int64_t order([[maybe_unused]] ordered what, [[maybe_unused]] int number) {
