@@ -110,26 +110,64 @@ TEST_SUITE("recording of what runs freely") {
     check_whole(result, 120, 5);
   }
 
-  TEST_CASE("the process of the first environment has all that a replay needs") {
+  TEST_CASE("the process of the first environment has all that a replay needs, of either kind of run") {
     const std::string memory = "/cca_free_" + std::to_string(::getpid());
     const laws::temporary_file mind("mind.mcap"), eye("eyes.mcap"), robot("robot.mcap");
-    const auto run = [&](const char* environment, const std::string& into) {
-      cycle_in_us = 4'000;
+    const auto run = [&](const char* environment, const std::string& into, auto pace, bool again) {
+      cycle_in_us = again ? 0 : 4'000;
       cca::deployed<seen> d(cca::only{environment}, cca::shared_memory(memory));
       const cca::recording::recorder recording(d, into);
       d.load();
       d.start();
-      d.run(cca::for_beats<100>{}, cca::at_speed(0.2));
+      std::int64_t beat = 0;
+      d.run(cca::for_beats<100>{}, pace, [&](auto& now) {
+        beat = now.beat_index();
+        return true;
+      });
+      if (beat < 50) return "it saw beat " + std::to_string(beat) + " last";
+      if (again) d.run(cca::for_beats<50>{}, cca::at_speed(0.2)), d.run(cca::for_beats<50>{});
       d.stop();
       return std::string("done");
     };
-    process minds([&] { return run("mind", mind.path); });
-    process eyes([&] { return run("eyes", eye.path); });
-    process robots([&] { return run("robot", robot.path); });
-    CHECK_EQ(robots.said(), "done");
-    CHECK_EQ(eyes.said(), "done");
-    CHECK_EQ(minds.said(), "done");
-    const auto result = cca::recording::replay<seen>(robot.path);
-    check_whole(result, 100, 100);
+    const auto result = [&](auto pace, bool again) {
+      process minds([&] { return run("mind", mind.path, pace, again); });
+      process eyes([&] { return run("eyes", eye.path, pace, again); });
+      process robots([&] { return run("robot", robot.path, pace, again); });
+      CHECK_EQ(robots.said(), "done");
+      CHECK_EQ(eyes.said(), "done");
+      CHECK_EQ(minds.said(), "done");
+      return cca::recording::replay<seen>(robot.path);
+    };
+    check_whole(result(cca::at_speed(0.2), false), 100, 100);
+    // In a fast run what the others published is computed anew.
+    const auto fast = result(cca::as_fast_as_possible(), false);
+    check_whole(fast, 100, 100);
+    CHECK_LT(fast.samples, 4 * 100);  // and not compared
+    // After a wall-clock run it depends on that.
+    const auto both = result(cca::as_fast_as_possible(), true);
+    CHECK_EQ(both.difference, "");
+    CHECK_NE(both.ended_early.find("ran in another process, in a fast run after a wall-clock run"),
+             std::string::npos);
+  }
+
+  TEST_CASE("a free-running component faults in a wall-clock run: the beats of the others are whole") {
+    for (const bool goes_on : {false, true}) {
+      const cycles_of these(9'000);
+      const auto result = recorded<seen>([goes_on](auto& d, auto pace) {
+        d.run(cca::for_beats<20>{}, pace);
+        auto p = d.template get<"eyes">().p;
+        p.most = -1e9;
+        d.template set<"eyes">(p);
+        d.run(cca::for_beats<400>{}, pace);
+        REQUIRE_EQ(d.fault_path(), "eyes");
+        if (!goes_on) return;
+        p.most = 1e9;
+        d.template set<"eyes">(p);
+        d.resume();
+        d.run(cca::for_beats<30>{}, pace);
+      });
+      check_whole(result, goes_on ? 50 : 21, goes_on ? 50 : 21);
+      CHECK_EQ(result.fault, goes_on ? "" : "`eyes`: dazzled");
+    }
   }
 }

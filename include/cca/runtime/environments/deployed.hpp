@@ -234,7 +234,7 @@ private:
       loops.for_each([&]<int E>(auto& first) {
         if (E != first_here()) return;
         const auto after_beat = [&] {
-          last_seen = k = first.k;
+          last_seen = k = first.next_beat();
           take_changes_at_rest();
           look_after(E, between);
           return detail::goes_on_after(between, *this);

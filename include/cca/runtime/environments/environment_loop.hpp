@@ -78,8 +78,7 @@ public:
     own().is_paused = false;
     announce();
     if (E == 0 && ahead == 0) state.move_to(position() - 1);  // when its pace lets it begin
-    if (has_free_running<D> && (!is_exact || DeploymentOfModes<D>))
-      state.observers().runs_freely(k, !is_exact);
+    if (has_free_running<D>) state.observers().runs_freely(k, !is_exact);
     if constexpr (is_free) exchanged.template results<E>().begin_run();
     this->begin_admission();
   }
@@ -226,7 +225,8 @@ private:
     std::int64_t beat = k;
     if constexpr (is_free) beat = state.beat;
     own().fault.state(exchange<D>::position_of(beat, rank), reason, node);
-    to.failed(node, reason.data(), beat);
+    // A cycle of a wall-clock run began in some beat; the fault comes before the next one.
+    to.failed(node, reason.data(), next_beat());
   }
 
   // Of a recordable deployment: either beat is a function of its own, so that neither pays for the other.

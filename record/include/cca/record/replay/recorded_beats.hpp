@@ -56,6 +56,7 @@ public:
     damaged = whole.damage();
     if (messages == 0 && !damaged.empty()) throw refused(called + " can't be read: " + damaged);
     check_architecture(whole);
+    find_environments(whole);
     for (const auto& [id, channel] : whole.channels()) by_channel[id] = use_of(channel);
     if (!has_states)
       throw refused(
@@ -65,6 +66,11 @@ public:
   }
 
   bool has(int output) const { return is_recorded[cca::detail::array_size(output)]; }
+  // Whether the process that recorded it ran the environment of an output.
+  bool ran_here([[maybe_unused]] int output) const {
+    if constexpr (AnyDeployment<Graph>) return is_here[cca::detail::array_size(environment_of(output))];
+    else return true;
+  }
   // Whether the parameters of a component were recorded.
   bool has_parameters(int node) const { return is_set[cca::detail::array_size(node)]; }
   // Why the file can't be read to its end; empty: it can.
@@ -120,6 +126,26 @@ private:
     throw refused(called +
                   " is not a recording of cca: it states no architecture in its metadata, which some tools "
                   "leave out unless they are told to keep it");
+  }
+
+  static constexpr int environments = [] {
+    if constexpr (AnyDeployment<Graph>) return cca::detail::environment_count<Graph>;
+    else return 1;
+  }();
+  static int environment_of(int output) {
+    return cca::detail::plan_of<Graph>.nodes[cca::detail::array_size(cca::detail::node_of_output<Graph>(output))]
+        .environment;
+  }
+  // A file that does not say it has all of them.
+  void find_environments([[maybe_unused]] const mcap_reader& whole) {
+    is_here.fill(true);
+    if constexpr (AnyDeployment<Graph>)
+      for (const auto& [name, entries] : whole.metadata())
+        if (const auto here = entries.find("here"); name == "cca.environments" && here != entries.end())
+          for (std::size_t e = 0; e < is_here.size(); ++e)
+            is_here[e] = (" " + here->second + " ")
+                             .find(" " + std::string(cca::detail::name_of_environment<Graph>(e)) + " ") !=
+                         std::string::npos;
   }
 
   // All resource nodes were recorded, or nothing can be replayed.
@@ -238,6 +264,7 @@ private:
   std::map<std::uint16_t, channel_use> by_channel;
   std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)> is_recorded{};
   std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.node_count + 1)> is_set{};
+  std::array<bool, cca::detail::array_size(environments)> is_here{};
   bool has_states = false;
 };
 

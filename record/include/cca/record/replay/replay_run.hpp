@@ -123,6 +123,10 @@ private:
 
   void take(const recorded_event& e) {
     if (e.kind == event_kind::fault) {
+      if (is_played_component(e.component)) {  // it ended the run, and no beat of the others
+        result.fault = "`" + e.component + "`: " + e.text;
+        return;
+      }
       reason = e.text;
       failed_component = e.component;
       has_samples = true;
@@ -140,6 +144,7 @@ private:
       if (!e.requested || asks_a_resource_node(e.text)) set_part(e.text, e.stopped);
     } else if (e.kind == event_kind::freely) {
       if (this->is_fast = !e.freely; e.freely) play_from_now();
+      else if (is_playing) check_that_all_ran_here();
     } else if (e.kind == event_kind::late) {
       differs_by_clock("the samples of `" + e.component + "` had not come to `" + e.text + "`");
     } else if (e.kind == event_kind::skipped) {
@@ -161,6 +166,19 @@ private:
               "`" + cca::detail::path_of_output<Graph>(o) +
               "` ran freely and was not recorded: record it, in the process of the first environment");
     }
+  }
+  // In a fast run after a wall-clock run nobody tells what other processes publish.
+  void check_that_all_ran_here() {
+    if constexpr (cca::detail::has_free_running<Graph>)
+      for (int o = 0; o < output_count; ++o)
+        if (cca::detail::leaves_freely<Graph>::holds(at(o)) && !items.ran_here(o))
+          differs_by_clock("`" + cca::detail::path_of_output<Graph>(o) +
+                           "` ran in another process, in a fast run after a wall-clock run");
+  }
+  bool is_played_component(const std::string& path) const {
+    for (int node = 0; node < cca::detail::counts_of<Graph>.node_count; ++node)
+      if (is_played(node) && cca::detail::path_of_node<Graph>(node) == path) return true;
+    return false;
   }
   // Of a free-running environment that is played.
   bool is_played(int node) const { return is_playing && cca::detail::is_free_node<Graph>(node); }
@@ -259,7 +277,7 @@ private:
       if (!items.has(o)) continue;
       const auto& call =
           cca::detail::plan_of<Graph>.calls[at(cca::detail::plan_of<Graph>.outputs[at(o)].call)];
-      if (is_played(call.node)) continue;
+      if (is_played(call.node) || !items.ran_here(o)) continue;
       const auto origin = words(layout.origin[at(o)]);
       const std::int64_t was = recorded[origin], is = replayed_frame[origin];
       const auto size = static_cast<std::size_t>(layout.size[at(o)]);
