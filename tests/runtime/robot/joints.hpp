@@ -46,4 +46,27 @@ inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
                         inf = std::numeric_limits<double>::infinity();
 inline constexpr std::int64_t millisecond = 1'000'000;
 
+// A quantity of a user's own, and the one that limits how fast it changes.
+struct inflow {
+  double lower, upper;
+  static constexpr std::string_view unit = "l/s";
+  static constexpr auto on_nan = cca::nan_policy::zero;
+};
+struct filling {
+  double lower, upper;
+  using rate = inflow;
+  static constexpr std::string_view unit = "l";
+  static constexpr auto on_nan = cca::nan_policy::hold;
+};
+struct fillings : cca::detail::linear_domain {
+  using quantity = filling;
+  static constexpr bool actuated = true;
+  template <class Self>
+  struct methods : cca::detail::additive<Self> {};
+};
+struct tank : cca::dimension<"tank"> {
+  static constexpr auto limits = cca::limits{filling{0, 10}, inflow{-20, 30}};
+};
+struct tank_level : cca::space<fillings, cca::axes<tank>, cca::rate<1000>> {};
+
 }  // namespace robot_test

@@ -58,29 +58,6 @@ double expected(int axis, double command, double last, double dt) {
   return std::min(std::max(goal, low), high);
 }
 
-// A quantity of a user's own, and the one that limits how fast it changes.
-struct inflow {
-  double lower, upper;
-  static constexpr std::string_view unit = "l/s";
-  static constexpr auto on_nan = cca::nan_policy::zero;
-};
-struct filling {
-  double lower, upper;
-  using rate = inflow;
-  static constexpr std::string_view unit = "l";
-  static constexpr auto on_nan = cca::nan_policy::hold;
-};
-struct fillings : cca::detail::linear_domain {
-  using quantity = filling;
-  static constexpr bool actuated = true;
-  template <class Self>
-  struct methods : cca::detail::additive<Self> {};
-};
-struct tank : cca::dimension<"tank"> {
-  static constexpr auto limits = cca::limits{filling{0, 10}, inflow{-20, 30}};
-};
-struct tank_level : cca::space<fillings, cca::axes<tank>, cca::rate<1000>> {};
-
 template <class Space>
 void sweep() {
   std::mt19937_64 random(2);
