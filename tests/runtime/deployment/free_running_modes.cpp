@@ -324,6 +324,36 @@ TEST_SUITE("deployed free-running modes") {
     CHECK_LT(firings(d.get<"c">()).all, 270);  // not in each beat
   }
 
+  TEST_CASE("a window stops a part of the new mode, whose environment is still in a cycle of the old one") {
+    const cycles_of these(700);
+    cca::deployed<spread<cca::tolerate<1000>>> d;
+    begin(d);
+    quiet(d);
+    cca::live_access live(d);
+    const auto wait_until = [](auto holds) {
+      for (int tries = 0; tries < 10000 && !holds(); ++tries) std::this_thread::sleep_for(1ms);
+      CHECK(holds());
+    };
+    std::thread window([&] {
+      wait_until([&] { return live.beat_index() > 20; });
+      cycle_in_us = 200'000;
+      std::this_thread::sleep_for(20ms);
+      CHECK(live.switch_to("stand"));
+      wait_until([&] { return live.is_taken() && live.mode() == "stand"; });
+      CHECK(live.stop("look"));
+      wait_until([&] { return live.is_taken(); });
+      CHECK_EQ(live.refused_by(), "");
+      cycle_in_us = 700;
+      std::this_thread::sleep_for(400ms);
+      live.end_run();
+    });
+    d.run(cca::for_<20>{}, cca::at_wall_clock(), live);
+    window.join();
+    CHECK(!d.fault());
+    CHECK_EQ(d.mode(), "stand");
+    CHECK(d.is_stopped("look"));
+  }
+
   TEST_CASE("a window asks for modes, and pauses") {
     const cycles_of these(700);
     cca::deployed<spread<cca::tolerate<50>>> d;
