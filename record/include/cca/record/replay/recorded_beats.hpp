@@ -17,7 +17,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/record/mcap/reader.hpp>
 #include <cca/record/file/recording_file.hpp>
-#include <cca/runtime/transports/manifest.hpp>
+#include <cca/record/replay/architecture_difference.hpp>
 
 namespace cca::recording::detail {
 
@@ -119,8 +119,11 @@ private:
         const std::string here = architecture_text<Graph>();
         const auto text = entries.find("text");
         if (text != entries.end() && text->second == here) return;
+        spaces_by_hash spaces;
+        add_spaces<Graph>(spaces);
         throw refused(called + " is the recording of another architecture: " +
-                      cca::detail::first_difference(here, text == entries.end() ? "" : text->second));
+                      architecture_difference(here, text == entries.end() ? std::string() : text->second,
+                                              spaces, whole));
       }
     if (!damaged.empty()) throw refused(called + " can't be read to its metadata: " + damaged);
     throw refused(called +
