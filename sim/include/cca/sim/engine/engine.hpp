@@ -3,8 +3,8 @@
 //
 // Each world has its own self-threaded implementation: with the shared default, two worlds that are stepped
 // in two threads abort in `ReleaseAJob`. The memory of a step is reserved in advance, so a beat with more
-// contacts than any before does not allocate. A step in which the engine itself gives up (engine_alarm.hpp)
-// returns false, as all do after it.
+// contacts than any before does not allocate. All that a beat asks of the engine runs within `guarded`: it
+// returns false when the engine itself gives up (engine_alarm.hpp), and ever after.
 #pragma once
 
 #include <memory>
@@ -58,14 +58,17 @@ public:
   dWorldID id() const { return parts_->world.get(); }
   dJointGroupID contacts() const { return parts_->contacts.get(); }
 
-  bool step(double dt) {
+  template <class F>
+  bool guarded(F f) {
     if (parts_->has_failed) return false;
-    detail::in_engine_step = true;
+    const engine_alarms_thrown here;
     try {
-      dWorldStep(id(), dt);
+      f();
     } catch (const engine_alarm&) { parts_->has_failed = true; }
-    detail::in_engine_step = false;
     return !parts_->has_failed;
+  }
+  bool step(double dt) {
+    return guarded([&] { dWorldStep(id(), dt); });
   }
 
 private:

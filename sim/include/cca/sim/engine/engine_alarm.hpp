@@ -1,14 +1,16 @@
-// What the Open Dynamics Engine does about its own errors: it ends the process. Here it ends the step.
+// What the Open Dynamics Engine does about its own errors: it ends the process. Here it ends the beat.
 //
-// In a step, an assertion or error of the engine is thrown as `engine_alarm` and caught by the step
-// (engine.hpp), whose world is then not used any more. A world that is looked at before and after each step
-// (robot/model/plausible.hpp) doesn't get there: this is the last resort. Elsewhere the text is printed, and
-// the engine ends the process, because a program that hands it nonsense outside of a step is wrong.
+// While an `engine_alarms_thrown` lives, an assertion or error of the engine is thrown as `engine_alarm`. In a
+// beat the owner of the engine catches it (engine.hpp), and its world is then not used any more; while a world
+// is made it becomes a std::invalid_argument (robot/world/world_in_engine.hpp). Numbers are judged when a world
+// is made (checked_scene.hpp), and a world is looked at before and after each step (robot/model/plausible.hpp),
+// so this is the last resort. Elsewhere the text is printed, and the engine ends the process.
 #pragma once
 
 #include <array>
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 
 #include <ode/ode.h>
 
@@ -20,13 +22,13 @@ struct engine_alarm {
 
 namespace detail {
 
-inline thread_local bool in_engine_step = false;
+inline thread_local bool engine_alarms_are_thrown = false;
 
 // The engine ends the process when this returns.
 inline void on_engine_alarm(int, const char* format, va_list values) {
   engine_alarm alarm;
   std::vsnprintf(alarm.text.data(), alarm.text.size(), format, values);
-  if (in_engine_step) throw alarm;
+  if (engine_alarms_are_thrown) throw alarm;
   std::fprintf(stderr, "the Open Dynamics Engine refuses a call: %s\n", alarm.text.data());
 }
 
@@ -35,6 +37,18 @@ inline void on_engine_alarm(int, const char* format, va_list values) {
 inline void on_engine_message(int, const char*, va_list) {}
 
 }  // namespace detail
+
+// Of this thread, while it lives.
+class engine_alarms_thrown {
+public:
+  engine_alarms_thrown() = default;
+  engine_alarms_thrown(const engine_alarms_thrown&) = delete;
+  engine_alarms_thrown& operator=(const engine_alarms_thrown&) = delete;
+  ~engine_alarms_thrown() { detail::engine_alarms_are_thrown = before_; }
+
+private:
+  bool before_ = std::exchange(detail::engine_alarms_are_thrown, true);
+};
 
 // Once per process, for all threads.
 inline void listen_to_engine() {

@@ -3,15 +3,22 @@
 // The robot starts around x = 0 on level ground at z = 0; slopes and steps begin at `start`. The ground is
 // the same for every y. It is a row of strips from left to right, which are computed where they are asked
 // for: its memory does not depend on how far the robot goes.
+//
+// Errors: std::invalid_argument for a number that no ground has, so a terrain is always one that a world can
+// have, and a part meets a bounded number of strips in a beat.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <cca/sim/engine/refused_number.hpp>
 
 namespace cca::sim {
 
@@ -28,9 +35,13 @@ class terrain {
 public:
   static constexpr std::int64_t endless = std::int64_t{1} << 52;  // every smaller number of steps is exact
 
+  static constexpr double least_run = 0.01;  // m, CHOSEN: smaller than a foot
+
   static terrain flat() { return terrain("flat", infinity, 0, 0, infinity, 0); }
 
   static terrain slope(double pitch, double start = 1.5) {
+    need(std::abs(pitch) < quarter_turn, "the pitch of the slope", pitch, "rad", "between -pi/2 and pi/2");
+    need(std::isfinite(start), "the start of the slope", start, "m", "a finite number");
     return terrain("slope", start, pitch, 0, infinity, 1);
   }
 
@@ -39,6 +50,9 @@ public:
                        double run = 0.6,
                        std::int64_t count = endless,
                        double start = 1.5) {
+    need(std::isfinite(rise), "the rise of the steps", rise, "m", "a finite number");
+    need(std::isfinite(run) && run >= least_run, "the run of the steps", run, "m", "at least 0.01 m");
+    need(std::isfinite(start), "the start of the steps", start, "m", "a finite number");
     return terrain("steps", start, 0, rise, run, std::clamp<std::int64_t>(count, 0, endless));
   }
 
@@ -67,6 +81,7 @@ public:
 
   double friction() const { return friction_; }
   terrain with_friction(double mu) const {
+    need(std::isfinite(mu) && mu >= 0, "the friction of the ground", mu, "", "a number of at least 0");
     terrain t = *this;
     t.friction_ = mu;
     return t;
@@ -82,7 +97,8 @@ public:
   }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double infinity = std::numeric_limits<double>::infinity(),
+                          quarter_turn = std::numbers::pi / 2;
 
   terrain(std::string name, double start, double pitch, double rise, double run, std::int64_t count)
       : name_(std::move(name)), start_(start), pitch_(pitch), rise_(rise), run_(run), count_(count) {}

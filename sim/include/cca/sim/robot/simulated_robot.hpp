@@ -78,7 +78,7 @@ public:
                                   world_.joints()[c].angle, world_.model().beat);
     }
     is_driven_ = true;
-    push();
+    world_.follow(pushes_);
     world_.advance(laws);
     return why();
   }
@@ -92,7 +92,7 @@ public:
     if (is_driven_) return;
     std::array<joint_law, coordinates> laws;
     for (std::size_t c = 0; c < coordinates; ++c) laws[c] = {.damping = world_.model().drives[c].damping};
-    push();
+    world_.follow(pushes_);
     world_.advance(laws);
   }
 
@@ -100,13 +100,6 @@ private:
   static World at_start() {
     if constexpr (requires { World::at_start(); }) return World::at_start();
     else return World(model_of<R>());
-  }
-
-  // Only where the plan changes, so `world().push` is for everybody.
-  void push() {
-    const auto now = pushes_.force_at(world_.time());
-    if (now != pushing_) world_.push({now[0], now[1], now[2]});
-    pushing_ = now;
   }
 
   // A fault keeps a pointer to its text, so the texts of this robot live as long as the program.
@@ -172,7 +165,6 @@ private:
   const std::vector<std::string>* reasons_ = &reasons();
   std::array<robots::joint_servo, count> servos_{};
   push_plan pushes_{};
-  std::array<double, 3> pushing_{};
   bool is_driven_ = false;
 };
 

@@ -96,7 +96,7 @@ inline std::size_t index_of(const std::vector<std::string>& names,
   throw std::out_of_range(names.empty() ? text + " none with a name" : text);
 }
 
-// Throws std::invalid_argument for numbers that no joint or spring can have.
+// Throws std::invalid_argument for numbers that no joint, spring or shape can have.
 inline robot_model checked(robot_model m) {
   const auto need = [](double value, bool good, const std::string& what, const char* number) {
     if (!good || !std::isfinite(value))
@@ -123,6 +123,10 @@ inline robot_model checked(robot_model m) {
     need(s.stiffness, s.stiffness >= 0, of, "the stiffness");
     need(s.damping, s.damping >= 0, of, "the damping");
     need(s.rest, s.rest >= 0, of, "the rest length");
+  }
+  for (std::size_t i = 0; i < m.shapes.size(); ++i) {
+    for (const double size : m.shapes[i].form.size)
+      need(size, size >= 0, "shape " + std::to_string(i), "a size");
   }
   return m;
 }

@@ -16,9 +16,10 @@
 // A motor brakes with its full torque and drives with what its line leaves. Springs, friction and motors are
 // stable at every stiffness, damping and step (drives_in_engine.hpp); coupled joints follow at its end
 // (coupled_joints.hpp). A world that can't be right any more (plausible.hpp) stands still: `trouble()`,
-// `trouble_text()`. Errors: std::invalid_argument when it is made (tree_in_engine.hpp, robot_model.hpp);
-// std::out_of_range, with all names, for a name that the robot doesn't have. Cost: docs/robots.md. It
-// allocates nothing after the first beats.
+// `trouble_text()`. Errors: std::invalid_argument when it is made (tree_in_engine.hpp, robot_model.hpp,
+// checked_scene.hpp) or a place is none; std::out_of_range, with all names, for a name that the robot doesn't
+// have, and with how many there are for a number. Cost: docs/robots.md. It allocates nothing after the first
+// beats.
 #pragma once
 
 #include <array>
@@ -34,6 +35,8 @@
 #include <cca/base/eigen.hpp>
 #include <cca/sim/robot/model/contact_account.hpp>
 #include <cca/sim/engine/moving_frame.hpp>
+#include <cca/sim/engine/refused_number.hpp>
+#include <cca/sim/robot/model/push.hpp>
 #include <cca/sim/robot/model/robot_model.hpp>
 #include <cca/sim/robot/model/robot_state.hpp>
 #include <cca/sim/robot/model/robot_world_settings.hpp>
@@ -69,6 +72,9 @@ public:
 
   // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
   void push(const Eigen::Vector3d& force);
+  // Pushes as the plan says, but only where it says something else than at the last call, so `push` is for
+  // everybody. What it said is part of the state: a world that is restored goes on with the plan.
+  void follow(const push_plan& plan);
 
   // Puts a box of the scene elsewhere.
   void move(std::size_t box, const placement& where);
@@ -83,15 +89,21 @@ public:
     return state().joints[index_of(model().names.joints, name, "joint")];
   }
   // The torque about the sensor's origin, then the force of the world, along the sensor's axes.
-  const std::array<double, 6>& load(std::size_t sensor) const { return state().loads.at(sensor); }
+  const std::array<double, 6>& load(std::size_t sensor) const { 
+    return state().loads[numbered(sensor, state().loads.size(), "force sensor")];
+  }
   const std::array<double, 6>& load(std::string_view sensor) const {
     return load(index_of(model().names.sensors, sensor, "force sensor"));
   }
 
   // Of the world on all shapes at the end of a part, along the world's axes: N, a mean over the beat.
-  const std::array<double, 3>& force_on_end(std::size_t part) const { return state().end_forces.at(part); }
+  const std::array<double, 3>& force_on_end(std::size_t part) const { 
+    return state().end_forces[numbered(part, state().end_forces.size(), "part")];
+  }
 
-  const inertial_reading& inertial(std::size_t unit) const { return state().inertial.at(unit); }
+  const inertial_reading& inertial(std::size_t unit) const { 
+    return state().inertial[numbered(unit, state().inertial.size(), "inertial unit")];
+  }
   const inertial_reading& inertial(std::string_view sensor) const {
     return inertial(static_cast<std::size_t>(
         model().unit_of[index_of(model().names.inertial, sensor, "inertial sensor")]));
@@ -108,7 +120,9 @@ public:
 
   // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
   // motors.
-  const contact_account& contact(std::size_t shape) const { return state().contacts.at(shape); }
+  const contact_account& contact(std::size_t shape) const { 
+    return state().contacts[numbered(shape, state().contacts.size(), "shape of the robot")];
+  }
   contact_account contact_at_end(std::size_t part) const {
     return contact_of(model(), state().contacts,
                       [&](const placed_shape& s) { return s.end == static_cast<int>(part); });

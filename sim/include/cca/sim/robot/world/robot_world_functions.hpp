@@ -13,7 +13,7 @@
 namespace cca::sim {
 
 CCA_SIM_INLINE robot_world::robot_world(robot_model model, scene around, const robot_world_settings& settings)
-    : in_(std::make_unique<world_in_engine>(std::move(model), std::move(around), settings)) {}
+    : in_(world_in_engine::made(std::move(model), std::move(around), settings)) {}
 CCA_SIM_INLINE robot_world::robot_world(const robot_world& other)
     : in_(std::make_unique<world_in_engine>(*other.in_)) {}
 CCA_SIM_INLINE robot_world::robot_world(robot_world&&) noexcept = default;
@@ -38,6 +38,7 @@ CCA_SIM_INLINE void robot_world::pull(std::size_t part,
   in_->pull(part, force, torque);
 }
 CCA_SIM_INLINE void robot_world::push(const Eigen::Vector3d& force) { in_->push(force); }
+CCA_SIM_INLINE void robot_world::follow(const push_plan& plan) { in_->follow(plan); }
 CCA_SIM_INLINE void robot_world::move(std::size_t box, const placement& where) { in_->move(box, where); }
 
 CCA_SIM_INLINE std::string robot_world::trouble_text() const { return text_of(state().trouble, model()); }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,12 +18,15 @@
 
 #include <ode/ode.h>
 
+#include <cca/sim/engine/checked_scene.hpp>
 #include <cca/sim/engine/engine.hpp>
+#include <cca/sim/engine/refused_number.hpp>
 #include <cca/sim/robot/forces/drives_in_engine.hpp>
 #include <cca/sim/robot/forces/gyroscopic.hpp>
 #include <cca/sim/robot/world/inertial_units.hpp>
 #include <cca/sim/robot/world/judgement.hpp>
 #include <cca/sim/robot/forces/outer_forces.hpp>
+#include <cca/sim/robot/model/push.hpp>
 #include <cca/sim/robot/model/robot_model.hpp>
 #include <cca/sim/robot/model/robot_state.hpp>
 #include <cca/sim/robot/model/robot_world_settings.hpp>
@@ -36,11 +40,25 @@ namespace cca::sim {
 
 class world_in_engine {
 public:
-  world_in_engine(robot_model model, scene around, const robot_world_settings& settings)
-      : world_in_engine(std::make_shared<const robot_model>(checked(std::move(model))),
-                        std::make_shared<const scene>(std::move(around)),
-                        settings,
-                        nullptr) {}
+  // Throws std::invalid_argument for what can't be, also for what only the engine finds.
+  static std::unique_ptr<world_in_engine> made(robot_model model,
+                                               scene around,
+                                               const robot_world_settings& settings) {
+    check(settings);
+    for (std::size_t i = 0; i < model.shapes.size(); ++i)
+      need_place(model.shapes[i].where, "shape " + std::to_string(i) + " of the robot");
+    prepare_engine();
+    const engine_alarms_thrown here;
+    try {
+      return std::unique_ptr<world_in_engine>(
+          new world_in_engine(std::make_shared<const robot_model>(checked(std::move(model))),
+                              std::make_shared<const scene>(checked(std::move(around))), settings, nullptr));
+    } catch (const engine_alarm& alarm) {
+      throw std::invalid_argument(
+          std::string("cca::sim: the physics engine can't make a world of these numbers: ") +
+          alarm.text.data());
+    }
+  }
 
   world_in_engine(const world_in_engine& other)
       : world_in_engine(other.model_, other.scene_, other.settings_, &other.drives_) {
@@ -71,36 +89,37 @@ public:
   void advance(std::span<const joint_law> laws) {
     prepare_engine();
     if (state_.trouble) return;
-    for (std::size_t c = 0; c < std::min(laws.size(), state_.laws.size()); ++c)
-      if (laws[c].is_finite()) state_.laws[c] = laws[c];
-    for (std::size_t c = 0; c < state_.winches.size(); ++c)
-      state_.winches[c].aim(state_.laws[c].position, model_->beat);
-    drives_.begin(tree_, state_, [this](std::size_t i) {
-      return springs_in_engine::length_and_tension(model_->line_springs[i], tree_);
-    });
-    units_.begin(tree_);
-    for (joint_reading& r : state_.joints) r.torque = 0;
-    for (auto& load : state_.loads) load.fill(0);
-    for (auto& force : state_.end_forces) force.fill(0);
-    for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step();
-    if (!state_.trouble) units_.read(tree_, state_.inertial);
+    if (!engine_.guarded([&] { beat(laws); })) state_.trouble = {implausible::engine};
     ++state_.beats;
   }
 
   void pull(std::size_t part, const Eigen::Vector3d& force, const Eigen::Vector3d& torque) {
-    take_finite(state_.pulls.at(part).force, force);
-    take_finite(state_.pulls.at(part).torque, torque);
+    outer_load& kept = state_.pulls[numbered(part, state_.pulls.size(), "part")];
+    take_finite(kept.force, force);
+    take_finite(kept.torque, torque);
   }
   void push(const Eigen::Vector3d& force) { take_finite(state_.push, force); }
-  void move(std::size_t box, const placement& where) { shapes_.put_box(box, where); }
+  void follow(const push_plan& plan) {
+    const std::array<double, 3> now = plan.force_at(static_cast<double>(state_.beats) * model_->beat);
+    if (now != state_.planned) push({now[0], now[1], now[2]});
+    state_.planned = now;
+  }
+  void move(std::size_t box, const placement& where) {
+    numbered(box, scene_->boxes.size(), "box");
+    if (!is_place(where)) need_place(where, "box " + std::to_string(box) + " of the scene");
+    shapes_.put_box(box, where);
+  }
 
-  moving_frame frame(int link) const { return tree_.frame(link); }
-  moving_frame end(std::size_t part) const { return tree_.at(model_->ends.at(part)); }
+  moving_frame frame(int link) const {
+    if (link >= 0) numbered(static_cast<std::size_t>(link), model_->links.size(), "link");
+    return tree_.frame(link);
+  }
+  moving_frame end(std::size_t part) const { return tree_.at(model_->ends[numbered(part, model_->ends.size(), "part")]); }
   Eigen::Vector3d ball_position(std::size_t i) const {
-    return Eigen::Vector3d::Map(dBodyGetPosition(shapes_.balls().at(i)));
+    return Eigen::Vector3d::Map(dBodyGetPosition(ball_body(i)));
   }
   Eigen::Vector3d ball_velocity(std::size_t i) const {
-    return Eigen::Vector3d::Map(dBodyGetLinearVel(shapes_.balls().at(i)));
+    return Eigen::Vector3d::Map(dBodyGetLinearVel(ball_body(i)));
   }
   double mass() const { return sum_of_links(0.0, &mass_of); }
   Eigen::Vector3d centre_of_mass() const {
@@ -115,7 +134,7 @@ public:
     return springs_in_engine::stored(*model_, tree_) + drives_in_engine::stored(*model_, state_);
   }
   double tension(std::size_t spring) const {
-    return springs_in_engine::tension(model_->line_springs.at(spring), tree_);
+    return springs_in_engine::tension(model_->line_springs[numbered(spring, model_->line_springs.size(), "spring")], tree_);
   }
 
   const robot_state& state() const { return state_; }
@@ -175,6 +194,16 @@ private:
       throw std::invalid_argument("cca::sim::robot_world: a beat has at least one physics step, above 0 s");
     return step;
   }
+  static void check(const robot_world_settings& s) {
+    sim::check(s.engine);
+    need_place(s.mount, "the mount of the robot");
+    for (const double bound : {s.plausible.speed, s.plausible.turn, s.plausible.energy, s.plausible.stop,
+                               s.plausible.stop_way})
+      need(bound >= 0, "a bound of what is plausible", bound, "", "at least 0");
+  }
+  dBodyID ball_body(std::size_t i) const {
+    return shapes_.balls()[numbered(i, shapes_.balls().size(), "ball")];
+  }
   rigid mount() const { return rigid{} * settings_.mount; }
 
   // The base, if it floats; the links.
@@ -193,6 +222,22 @@ private:
   void each_body(F f) const {
     each_link(f);
     for (const dBodyID b : shapes_.balls()) f(b);
+  }
+
+  void beat(std::span<const joint_law> laws) {
+    for (std::size_t c = 0; c < std::min(laws.size(), state_.laws.size()); ++c)
+      if (laws[c].is_finite()) state_.laws[c] = laws[c];
+    for (std::size_t c = 0; c < state_.winches.size(); ++c)
+      state_.winches[c].aim(state_.laws[c].position, model_->beat);
+    drives_.begin(tree_, state_, [this](std::size_t i) {
+      return springs_in_engine::length_and_tension(model_->line_springs[i], tree_);
+    });
+    units_.begin(tree_);
+    for (joint_reading& r : state_.joints) r.torque = 0;
+    for (auto& load : state_.loads) load.fill(0);
+    for (auto& force : state_.end_forces) force.fill(0);
+    for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step();
+    if (!state_.trouble) units_.read(tree_, state_.inertial);
   }
 
   void step() {
