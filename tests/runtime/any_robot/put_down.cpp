@@ -1,5 +1,5 @@
-// What a world is put down with: a plan of pushes, which it follows wherever its state comes from, and a scene,
-// whose numbers are judged. None of them ends the process.
+// What a world is put down with: a plan of pushes, which it follows wherever its state comes from, and a
+// scene, whose numbers are judged. None of them ends the process.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace {
 namespace sim = cca::sim;
 namespace robots = cca::robots;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
 
 // A puck of 1 kg, with a flag on it that hardly weighs.
@@ -163,32 +163,38 @@ TEST_SUITE("put down") {
   }
 
   TEST_CASE("a scene whose numbers can't be is refused when its world is made, with what and where") {
-    CHECK(has(refusal_of_box({1, nan, 1}), "the size of box 1 of the scene along y is nan m"));
+    CHECK(has(refusal_of_box({1, no_number, 1}), "the size of box 1 of the scene along y is nan m"));
     CHECK(has(refusal_of_box({1, 1, -1}), "along z is -1 m: it must be above 0"));
     CHECK(has(refusal_of_box({0, 1, 1}), "along x is 0 m"));
     CHECK(has(refusal_of_box({infinity, 1, 1}), "along x is inf m"));
-    CHECK(has(refusal_of_box({1, 1, 1}, cca::at(0, 0, nan)), "the place of box 1 of the scene along z is nan m"));
+    CHECK(has(refusal_of_box({1, 1, 1}, cca::at(0, 0, no_number)),
+              "the place of box 1 of the scene along z is nan m"));
     CHECK(has(refusal_of_box({1, 1, 1}, {{}, {0, 0, 0, 0}}), "quaternion of box 1 of the scene is 0"));
     CHECK(refusal_of_box({1, 1, 1}, {{}, {0, 0, 0, 2}}).empty());  // the engine makes one of length 1
     CHECK(has(refusal_of_ball({.radius = 0}), "the radius of ball 0 of the scene is 0 m"));
     CHECK(has(refusal_of_ball({.mass = -1}), "the mass of ball 0 of the scene is -1 kg"));
-    CHECK(has(refusal_of_ball({.position = {nan, 0, 0}}), "the place of ball 0 of the scene along x is nan m"));
-    CHECK(has(refusal_of_ball({.velocity = {0, infinity, 0}}), "the velocity of ball 0 of the scene along y"));
+    CHECK(has(refusal_of_ball({.position = {no_number, 0, 0}}),
+              "the place of ball 0 of the scene along x is nan m"));
+    CHECK(
+        has(refusal_of_ball({.velocity = {0, infinity, 0}}), "the velocity of ball 0 of the scene along y"));
     CHECK(has(refusal_of_ball({.radius = 1e308}), "the physics engine can't make a world of these numbers"));
     CHECK(has(refusal_of_contact(40e3, 200, -1), "the friction of contacts is -1: it must be"));
-    CHECK(has(refusal_of_contact(40e3, 200, nan), "the friction of contacts is nan"));
+    CHECK(has(refusal_of_contact(40e3, 200, no_number), "the friction of contacts is nan"));
     CHECK(has(refusal_of_contact(-1, 200, 1), "the stiffness of contacts is -1 N/m"));
-    CHECK(has(refusal_of_contact(1, nan, 1), "the damping of contacts is nan N s/m"));
+    CHECK(has(refusal_of_contact(1, no_number, 1), "the damping of contacts is nan N s/m"));
     CHECK(has(refusal_of_contact(0, 0, 1), "the stiffness plus damping of contacts is 0"));
     CHECK(refusal_of_contact(0, 1, 0).empty());
     sim::scene low;
-    low.floor = nan;
+    low.floor = no_number;
     CHECK(has(refusal([&] { in(low); }), "the height of the floor is nan m: it must be a finite number"));
-    CHECK(has(refusal_of_settings([](auto& s) { s.engine.erp = nan; }), "`erp` is nan: it must be from 0 to 1"));
+    CHECK(has(refusal_of_settings([](auto& s) { s.engine.erp = no_number; }),
+              "`erp` is nan: it must be from 0 to 1"));
     CHECK(has(refusal_of_settings([](auto& s) { s.engine.cfm = -1; }), "`cfm` is -1"));
-    CHECK(has(refusal_of_settings([](auto& s) { s.engine.gravity = nan; }), "gravity is nan m/s^2"));
-    CHECK(has(refusal_of_settings([](auto& s) { s.mount = cca::at(nan, 0, 0); }), "the mount of the robot"));
-    CHECK(has(refusal_of_settings([](auto& s) { s.plausible.speed = nan; }), "what is plausible is nan"));
+    CHECK(has(refusal_of_settings([](auto& s) { s.engine.gravity = no_number; }), "gravity is nan m/s^2"));
+    CHECK(has(refusal_of_settings([](auto& s) { s.mount = cca::at(no_number, 0, 0); }),
+              "the mount of the robot"));
+    CHECK(
+        has(refusal_of_settings([](auto& s) { s.plausible.speed = no_number; }), "what is plausible is nan"));
     CHECK(refusal_of_settings([](auto& s) { s.engine.correcting_speed = infinity; }).empty());
     sim::robot_model m = sim::model_of<puck>();
     m.shapes[0].form.size[0] = -1;
@@ -197,14 +203,15 @@ TEST_SUITE("put down") {
 
   TEST_CASE("a terrain that no ground has is refused where it is made") {
     using sim::terrain;
-    for (const double run : {0.0, -1.0, 1e-9, nan, infinity})
-      CHECK(has(refusal([&] { terrain::steps(0.006, run, terrain::endless, 0); }), "the run of the steps is"));
-    CHECK(has(refusal([] { terrain::steps(nan); }), "the rise of the steps is nan m"));
+    for (const double run : {0.0, -1.0, 1e-9, no_number, infinity})
+      CHECK(
+          has(refusal([&] { terrain::steps(0.006, run, terrain::endless, 0); }), "the run of the steps is"));
+    CHECK(has(refusal([] { terrain::steps(no_number); }), "the rise of the steps is nan m"));
     CHECK(has(refusal([] { terrain::steps(0.006, 1, 3, -infinity); }), "the start of the steps is -inf m"));
-    for (const double pitch : {nan, infinity, 1.6, -1.6})
+    for (const double pitch : {no_number, infinity, 1.6, -1.6})
       CHECK(has(refusal([&] { terrain::slope(pitch); }), "the pitch of the slope is"));
-    CHECK(has(refusal([] { terrain::slope(0.1, nan); }), "the start of the slope is nan m"));
-    for (const double friction : {nan, infinity, -infinity, -1.0})
+    CHECK(has(refusal([] { terrain::slope(0.1, no_number); }), "the start of the slope is nan m"));
+    for (const double friction : {no_number, infinity, -infinity, -1.0})
       CHECK(has(refusal([&] { terrain::flat().with_friction(friction); }), "the friction of the ground is"));
     sim::robot_world fine = on(terrain::steps(0.006, 0.01, terrain::endless, 0).with_friction(0));
     for (int k = 0; k < 20; ++k) fine.advance(std::array{sim::joint_law{}});
@@ -219,7 +226,8 @@ TEST_SUITE("put down") {
     sim::robot_world one = in(s);
     CHECK(has(refusal([&] { one.move(1, {}); }), "there is no box 1: this world has one, number 0"));
     const auto before = one.hash();
-    CHECK(has(refusal([&] { one.move(0, cca::at(0, nan, 0)); }), "the place of box 0 of the scene along y is nan m"));
+    CHECK(has(refusal([&] { one.move(0, cca::at(0, no_number, 0)); }),
+              "the place of box 0 of the scene along y is nan m"));
     CHECK(one.hash() == before);
     one.move(0, cca::at(6, 0, 0));
     CHECK(one.hash() != before);

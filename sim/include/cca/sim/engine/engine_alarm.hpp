@@ -1,10 +1,11 @@
 // What the Open Dynamics Engine does about its own errors: it ends the process. Here it ends the beat.
 //
-// While an `engine_alarms_thrown` lives, an assertion or error of the engine is thrown as `engine_alarm`. In a
-// beat the owner of the engine catches it (engine.hpp), and its world is then not used any more; while a world
-// is made it becomes a std::invalid_argument (robot/world/world_in_engine.hpp). Numbers are judged when a world
-// is made (checked_scene.hpp), and a world is looked at before and after each step (robot/model/plausible.hpp),
-// so this is the last resort. Elsewhere the text is printed, and the engine ends the process.
+// While an `engine_alarms_thrown` lives, an assertion or error of the engine is thrown as `engine_alarm`. In
+// a beat the owner of the engine catches it (engine.hpp), and its world is then not used any more; while a
+// world is made it becomes a std::invalid_argument (robot/world/world_in_engine.hpp). Numbers are judged when
+// a world is made (checked_scene.hpp), and a world is looked at before and after each step
+// (robot/model/plausible.hpp), so this is the last resort. Elsewhere the text is printed, and the engine ends
+// the process.
 #pragma once
 
 #include <array>

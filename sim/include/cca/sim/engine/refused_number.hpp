@@ -26,9 +26,10 @@ inline void need(
 }
 
 [[noreturn]] inline void refuse_number(std::size_t i, std::size_t count, const char* of) {
-  const std::string has = count == 0   ? "none"
-                          : count == 1 ? "one, number 0"
-                                       : std::to_string(count) + ", numbers 0 to " + std::to_string(count - 1);
+  const std::string has = count == 0 ? "none"
+                          : count == 1
+                              ? "one, number 0"
+                              : std::to_string(count) + ", numbers 0 to " + std::to_string(count - 1);
   throw std::out_of_range("cca::sim: there is no " + std::string(of) + " " + std::to_string(i) +
                           ": this world has " + has);
 }

@@ -7,7 +7,8 @@
 //   const auto table = room.add(cca::sim::fixed_box{{0.6, 0.8, 0.04}, cca::at(0.5, 0, 0.3)});
 //   room.add(cca::sim::ball{.radius = 0.05, .mass = 0.2, .position = {0.5, 0, 0.5}});
 //
-// A value; its numbers are judged when a world is made of it (checked_scene.hpp). Contacts are springs and dampers in SI units; friction is a pyramid. All defaults are CHOSEN.
+// A value; its numbers are judged when a world is made of it (checked_scene.hpp). Contacts are springs and
+// dampers in SI units; friction is a pyramid. All defaults are CHOSEN.
 #pragma once
 
 #include <array>

@@ -42,7 +42,7 @@ struct robot_state {
   std::vector<double> pressing;                   // N, of each pair of shapes
   std::vector<std::array<double, 7>> boxes;       // translation, then rotation
   std::int64_t beats = 0;
-  world_trouble trouble{};         // then it stands still
+  world_trouble trouble{};          // then it stands still
   std::array<double, 3> planned{};  // N, the push that a plan said last
 
   // FNV-1a over all numbers that a beat of physics depends on or adds to.

@@ -89,7 +89,7 @@ public:
     return state().joints[index_of(model().names.joints, name, "joint")];
   }
   // The torque about the sensor's origin, then the force of the world, along the sensor's axes.
-  const std::array<double, 6>& load(std::size_t sensor) const { 
+  const std::array<double, 6>& load(std::size_t sensor) const {
     return state().loads[numbered(sensor, state().loads.size(), "force sensor")];
   }
   const std::array<double, 6>& load(std::string_view sensor) const {
@@ -97,11 +97,11 @@ public:
   }
 
   // Of the world on all shapes at the end of a part, along the world's axes: N, a mean over the beat.
-  const std::array<double, 3>& force_on_end(std::size_t part) const { 
+  const std::array<double, 3>& force_on_end(std::size_t part) const {
     return state().end_forces[numbered(part, state().end_forces.size(), "part")];
   }
 
-  const inertial_reading& inertial(std::size_t unit) const { 
+  const inertial_reading& inertial(std::size_t unit) const {
     return state().inertial[numbered(unit, state().inertial.size(), "inertial unit")];
   }
   const inertial_reading& inertial(std::string_view sensor) const {
@@ -120,7 +120,7 @@ public:
 
   // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
   // motors.
-  const contact_account& contact(std::size_t shape) const { 
+  const contact_account& contact(std::size_t shape) const {
     return state().contacts[numbered(shape, state().contacts.size(), "shape of the robot")];
   }
   contact_account contact_at_end(std::size_t part) const {

@@ -114,7 +114,9 @@ public:
     if (link >= 0) numbered(static_cast<std::size_t>(link), model_->links.size(), "link");
     return tree_.frame(link);
   }
-  moving_frame end(std::size_t part) const { return tree_.at(model_->ends[numbered(part, model_->ends.size(), "part")]); }
+  moving_frame end(std::size_t part) const {
+    return tree_.at(model_->ends[numbered(part, model_->ends.size(), "part")]);
+  }
   Eigen::Vector3d ball_position(std::size_t i) const {
     return Eigen::Vector3d::Map(dBodyGetPosition(ball_body(i)));
   }
@@ -134,7 +136,8 @@ public:
     return springs_in_engine::stored(*model_, tree_) + drives_in_engine::stored(*model_, state_);
   }
   double tension(std::size_t spring) const {
-    return springs_in_engine::tension(model_->line_springs[numbered(spring, model_->line_springs.size(), "spring")], tree_);
+    return springs_in_engine::tension(
+        model_->line_springs[numbered(spring, model_->line_springs.size(), "spring")], tree_);
   }
 
   const robot_state& state() const { return state_; }
@@ -197,8 +200,8 @@ private:
   static void check(const robot_world_settings& s) {
     sim::check(s.engine);
     need_place(s.mount, "the mount of the robot");
-    for (const double bound : {s.plausible.speed, s.plausible.turn, s.plausible.energy, s.plausible.stop,
-                               s.plausible.stop_way})
+    for (const double bound :
+         {s.plausible.speed, s.plausible.turn, s.plausible.energy, s.plausible.stop, s.plausible.stop_way})
       need(bound >= 0, "a bound of what is plausible", bound, "", "at least 0");
   }
   dBodyID ball_body(std::size_t i) const {
