@@ -25,7 +25,7 @@ inline dBodyID made_link(dWorldID world, const link_inertia& of, const std::stri
   dMass mass;
   dMassSetZero(&mass);
   const Eigen::Matrix3d inertia = cca::detail::matrix_of(i);
-  if (!(of.mass > 0) || !(inertia.llt().info() == Eigen::Success))
+  if (!(of.mass > 0) || !inertia.allFinite() || !(inertia.llt().info() == Eigen::Success))
     throw std::invalid_argument("cca::sim::robot: " + name +
                                 " needs a mass above 0 and an inertia that is positive definite");
   dMassSetParameters(&mass, of.mass, 0, 0, 0, i[0], i[1], i[2], i[3], i[4], i[5]);
