@@ -232,8 +232,6 @@ TEST_SUITE("put down") {
     one.move(0, cca::at(6, 0, 0));
     CHECK(one.hash() != before);
     CHECK(has(refusal([&] { one.pull(7, {0, 0, 1}); }), "there is no part 7: this world has one, number 0"));
-    CHECK(has(refusal([&] { (void)one.load(0); }), "there is no force sensor 0: this world has none"));
-    CHECK(has(refusal([&] { (void)one.inertial(0); }), "there is no inertial unit 0"));
     CHECK(has(refusal([&] { (void)one.contact(1); }), "there is no shape of the robot 1"));
     CHECK(has(refusal([&] { (void)one.end(2); }), "there is no part 2"));
     CHECK(has(refusal([&] { (void)one.frame(2); }), "there is no link 2"));

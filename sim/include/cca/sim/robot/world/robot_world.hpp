@@ -18,8 +18,8 @@
 // (coupled_joints.hpp). A world that can't be right any more (plausible.hpp) stands still: `trouble()`,
 // `trouble_text()`. Errors: std::invalid_argument when it is made (tree_in_engine.hpp, robot_model.hpp,
 // checked_scene.hpp) or a place is none; std::out_of_range, with all names, for a name that the robot doesn't
-// have, and with how many there are for a number. Cost: docs/robots.md. It allocates nothing after the first
-// beats.
+// have, and mostly with how many there are for a number. Cost: docs/robots.md. It allocates nothing after the
+// first beats.
 #pragma once
 
 #include <array>
@@ -89,21 +89,15 @@ public:
     return state().joints[index_of(model().names.joints, name, "joint")];
   }
   // The torque about the sensor's origin, then the force of the world, along the sensor's axes.
-  const std::array<double, 6>& load(std::size_t sensor) const {
-    return state().loads[numbered(sensor, state().loads.size(), "force sensor")];
-  }
+  const std::array<double, 6>& load(std::size_t sensor) const { return state().loads.at(sensor); }
   const std::array<double, 6>& load(std::string_view sensor) const {
     return load(index_of(model().names.sensors, sensor, "force sensor"));
   }
 
   // Of the world on all shapes at the end of a part, along the world's axes: N, a mean over the beat.
-  const std::array<double, 3>& force_on_end(std::size_t part) const {
-    return state().end_forces[numbered(part, state().end_forces.size(), "part")];
-  }
+  const std::array<double, 3>& force_on_end(std::size_t part) const { return state().end_forces.at(part); }
 
-  const inertial_reading& inertial(std::size_t unit) const {
-    return state().inertial[numbered(unit, state().inertial.size(), "inertial unit")];
-  }
+  const inertial_reading& inertial(std::size_t unit) const { return state().inertial.at(unit); }
   const inertial_reading& inertial(std::string_view sensor) const {
     return inertial(static_cast<std::size_t>(
         model().unit_of[index_of(model().names.inertial, sensor, "inertial sensor")]));
