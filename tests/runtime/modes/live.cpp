@@ -56,7 +56,7 @@ TEST_SUITE("live access to modes") {
     cca::live_access live(c);
     std::thread window([&] {
       while (!live.switch_to("stand")) {}  // taken between two beats
-      while (live.mode() != "stand") {}
+      while (live.mode() != "stand" && live.state() != cca::state::faulted) {}
       if (const auto seen = live.newest("stance.y")) show(seen->values[0]);
       live.end_run();
     });

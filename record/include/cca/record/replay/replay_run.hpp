@@ -13,6 +13,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/record/replay/compared_outputs.hpp>
 #include <cca/record/replay/recorded_beats.hpp>
+#include <cca/record/replay/recorded_parameters.hpp>
 #include <cca/record/replay/life_cycle_step.hpp>
 #include <cca/record/replay/played_samples.hpp>
 #include <cca/record/replay/replayed.hpp>
@@ -123,8 +124,8 @@ private:
 
   void take(const recorded_event& e) {
     if (e.kind == event_kind::fault) {
-      if (is_played_component(e.component)) {  // it ended the run, and no beat of the others
-        result.fault = "`" + e.component + "`: " + e.text;
+      if (const int node = cca::detail::node_at<Graph>(e.component); node >= 0 && is_played(node)) {
+        result.fault = "`" + e.component + "`: " + e.text;  // it ended the run, and no beat of the others
         return;
       }
       reason = e.text;
@@ -133,7 +134,8 @@ private:
     } else if (e.kind == event_kind::parameters) {
       each_node([&]<class C>(int node, C& component) {
         if constexpr (HasParameters<C>)
-          if (node == e.node) set(component, node, e.parameters);
+          if (node == e.node)  // before load() they may be anything: load() checks them
+            take_parameters<Graph>(component, node, e.parameters, called, c.state() != state::created);
       });
     } else if (e.kind == event_kind::mode) {
       mode_recorded = e.text;
@@ -175,11 +177,6 @@ private:
           differs_by_clock("`" + cca::detail::path_of_output<Graph>(o) +
                            "` ran in another process, in a fast run after a wall-clock run");
   }
-  bool is_played_component(const std::string& path) const {
-    for (int node = 0; node < cca::detail::counts_of<Graph>.node_count; ++node)
-      if (is_played(node) && cca::detail::path_of_node<Graph>(node) == path) return true;
-    return false;
-  }
   // Of a free-running environment that is played.
   bool is_played(int node) const { return is_playing && cca::detail::is_free_node<Graph>(node); }
 
@@ -220,21 +217,6 @@ private:
   void differs_by_clock(const std::string& why) {
     if (clock_says.empty()) clock_says = "from beat " + std::to_string(k) + " on, where " + why;
   }
-  template <class C>
-  void set(C& component, int node, const std::vector<unsigned char>& message) {
-    const std::string path = cca::detail::path_of_node<Graph>(node);
-    auto values = component.p;
-    cdr_reader from(message);
-    from.number<std::int64_t>();
-    if (!decode(cca::detail::schema_of<typename C::parameters>, &values, from))
-      throw refused(called + ": the recorded parameters of `" + path + "` are not those of this component");
-    // Before load() they may be anything: load() checks them.
-    if (c.state() != state::created)
-      for (const auto& wrong : cca::detail::complaints_about(values, path, cca::detail::step_of<Graph>(node)))
-        throw refused(called + ": recorded parameters: " + wrong.path + ": " + wrong.what);
-    component.p = values;
-  }
-
   void beat() {
     if (c.state() != state::started) return check_begin(), forget_beat();
     if (!compare_modes()) return;

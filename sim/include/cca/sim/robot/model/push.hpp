@@ -1,6 +1,6 @@
 // Pushes on the base of a robot at given times: what a run is disturbed by.
 //
-//   simulator.disturb({{{.start = 2, .duration = 0.06, .force = {0, 12, 0}}}});
+//   simulator.disturb({{{{.start = 2, .duration = 0.06, .force = {0, 12, 0}}}}});
 //
 // A value, of at most `most` pushes. Time is the world's. cca/sim/oncilla/disturbance.hpp draws them from a
 // seed.

@@ -1,0 +1,35 @@
+// Parameters of a component, as a recording has them. Errors: cca::refused, if they are not those of the
+// component, or, where they are checked, if they do not hold.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <cca/base/refused.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/record/messages/parameter_message.hpp>
+#include <cca/runtime/controller.hpp>
+
+namespace cca::recording::detail {
+
+// `called`: the file.
+template <class Graph, class C>
+void take_parameters(C& component,
+                     int node,
+                     const std::vector<unsigned char>& message,
+                     const std::string& called,
+                     bool are_checked) {
+  const std::string path = cca::detail::path_of_node<Graph>(node);
+  auto values = component.p;
+  cdr_reader from(message);
+  from.number<std::int64_t>();
+  if (!decode(cca::detail::schema_of<typename C::parameters>, &values, from))
+    throw refused(called + ": the recorded parameters of `" + path + "` are not those of this component");
+  if (are_checked)
+    for (const auto& wrong : cca::detail::complaints_about(values, path, cca::detail::step_of<Graph>(node)))
+      throw refused(called + ": recorded parameters: " + wrong.path + ": " + wrong.what);
+  component.p = values;
+}
+
+}  // namespace cca::recording::detail
