@@ -95,8 +95,14 @@ TEST_SUITE("live access to a deployment") {
           live.step();
           wait_until([&] { return live.beat_index() == at + i; });
         }
-        wait_until([&] { return newest_in(live, "thinker.y") == thought + 5; });
-        wait_until([&] { return newest_in(live, "planner.y") == planned + 2; });
+        // On a busy machine one that follows a clock may leave out a beat.
+        const int most_lost = std::is_same_v<decltype(pace), cca::as_fast_as_possible> ? 0 : 1;
+        const auto has_made = [&](const char* path, double from, int firings) {
+          const double made = newest_in(live, path) - from;
+          return made <= firings && made >= firings - most_lost;
+        };
+        wait_until([&] { return has_made("thinker.y", thought, 5); });
+        wait_until([&] { return has_made("planner.y", planned, 2); });
         CHECK_EQ(live.beat_index(), at + 10);
         live.go_on();
         wait_until([&] { return live.beat_index() > at + 100; });
