@@ -226,7 +226,8 @@ private:
     if constexpr (is_free) beat = state.beat;
     own().fault.state(exchange<D>::position_of(beat, rank), reason, node);
     // A cycle of a wall-clock run began in some beat; the fault comes before the next one.
-    to.failed(node, reason.data(), next_beat());
+    const char* const literal = reason.data();
+    to.failed(node, literal, next_beat());
   }
 
   // Of a recordable deployment: either beat is a function of its own, so that neither pays for the other.

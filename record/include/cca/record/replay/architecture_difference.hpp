@@ -110,8 +110,8 @@ struct output_line {
     one.port = line.substr(begin.size(), at - begin.size());
     one.numbers = line.substr(at + middle.size(), end - at - middle.size());
     const std::string_view digits = line.substr(end + space.size());
-    const char* const last = digits.data() + digits.size();
-    const auto [to, error] = std::from_chars(digits.data(), last, one.hash);
+    const char *const first = digits.data(), *const last = first + digits.size();
+    const auto [to, error] = std::from_chars(first, last, one.hash);
     if (error != std::errc() || to != last) return {};
     return one;
   }
@@ -139,7 +139,7 @@ inline std::string architecture_difference(std::string_view here,
                                            std::string_view there,
                                            const spaces_by_hash& spaces,
                                            const mcap_reader& file) {
-  const std::string lines = cca::detail::first_difference(here, there);
+  std::string lines = cca::detail::first_difference(here, there);
   std::string_view in_mode;
   while (!here.empty() && !there.empty()) {
     const auto [a, rest_here] = split_at(here, here.find('\n'), 1);
