@@ -15,9 +15,11 @@
 
 #include <cca/runtime/live/live_access.hpp>
 
+#include "../core/live_rig.hpp"
 #include "free_modes.hpp"
 
 using namespace free_modes;
+using live_test::wait_until;
 using namespace std::chrono_literals;
 
 namespace {
@@ -331,10 +333,6 @@ TEST_SUITE("deployed free-running modes") {
     begin(d);
     quiet(d);
     cca::live_access live(d);
-    const auto wait_until = [](auto holds) {
-      for (int tries = 0; tries < 10000 && !holds(); ++tries) std::this_thread::sleep_for(1ms);
-      CHECK(holds());
-    };
     std::thread window([&] {
       wait_until([&] { return live.beat_index() > 20; });
       cycle_in_us = 200'000;

@@ -1,5 +1,5 @@
-// Judges the numbers of a scene and of the engine when a world is made: a number that the engine can't take,
-// or would take for another one, is refused with what it is of.
+// Checks the numbers of a scene and of the engine when a world is made. It refuses what the engine can't
+// take, or would take for another number, and names it:
 //
 //   "cca::sim: the size of box 2 of the scene along y is nan m: it must be above 0"
 //
