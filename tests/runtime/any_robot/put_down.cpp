@@ -14,6 +14,10 @@
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/sim/robot.hpp>
 
+#include "flagged.hpp"
+
+using namespace any_robot_test;
+
 namespace {
 
 namespace sim = cca::sim;
@@ -22,26 +26,7 @@ namespace robots = cca::robots;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
 
-// A puck of 1 kg, with a flag on it that hardly weighs.
-struct room {};
-struct tip_frame {};
-struct flag : cca::dimension<"flag"> {
-  static constexpr auto limits = cca::limits{cca::angle{-0.1, 0.1}, cca::torque{-1, 1}};
-};
-struct flag_chain : cca::serial_chain<room, tip_frame, cca::axes<flag>> {
-  static constexpr std::array joints{cca::revolute(cca::along_z)};
-  static constexpr auto tip = cca::at(0, 0, 0);
-  static constexpr std::array links{cca::link_inertia{1e-3, {}, {1e-5, 1e-5, 1e-5}}};
-};
-struct puck_body : cca::body<room, cca::part<"flag", flag_chain>> {
-  static constexpr cca::link_inertia base{0.999, {}, {0.01, 0.01, 0.02}};
-};
-struct puck {
-  using body = puck_body;
-  using rate = cca::rate<1000>;
-  using commands = robots::commands<robots::torque_command>;
-  static constexpr bool floats = true;
-  static constexpr std::array<robots::joint_drive, 1> drives{{{.motor = {1, 10}}}};
+struct puck : flagged {
   static constexpr std::array shapes{robots::on_base(robots::sphere(0.1))};
 };
 using node = sim::simulated_robot<puck>;
