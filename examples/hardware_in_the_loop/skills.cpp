@@ -26,7 +26,7 @@ namespace {
 struct on_drives : hil::skills_on_drives,
                    cca::recordable,
                    cca::traceable,
-                   cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.trunk.orientation"> {
+                   cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.synchronizer.orientation"> {
 };
 
 struct program : cca::robot_program<on_drives> {

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <cca/config.hpp>
-#include <cca/hardware/oncilla/can_synchronizer.hpp>
+#include <cca/hardware/oncilla.hpp>
 
 #include "../../../tools/cca_can/commands.hpp"
 #include "rig.hpp"
@@ -307,7 +307,8 @@ using joints = hw::joint_list<some_joint<cca::sim::left_front_hip, 1>,
                               some_joint<cca::sim::right_front_knee, 6>,
                               some_joint<cca::sim::left_hind_knee, 7>,
                               some_joint<cca::sim::right_hind_knee, 8>>;
-using synchronizer = hw::can_synchronizer<rig::wire_type::end_type, board, joints>;
+using synchronizer =
+    hw::robot_synchronizer<cca::robots::oncilla::as_built, rig::wire_type::end_type, board, joints>;
 
 // A robot as a file of parameters sees it.
 struct robot {

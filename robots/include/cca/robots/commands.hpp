@@ -37,6 +37,7 @@ template <fixed_string Name, class Domain, command_kind Kind>
 struct command {
   static constexpr auto name = Name;
   static constexpr auto kind = Kind;
+  static constexpr bool is_hint = false;
   using domain = Domain;
 };
 

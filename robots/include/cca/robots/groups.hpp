@@ -29,6 +29,12 @@ struct of_joints : command<Name, typename Command::domain, Command::kind> {
   using space = Group;
 };
 
+// A command that drives with gains of their own may leave out.
+template <class Command>
+struct hint : Command {
+  static constexpr bool is_hint = true;
+};
+
 // `of`: the output of each joint that is collected.
 template <fixed_string Name, fixed_string Of, Space Group>
 struct reading {

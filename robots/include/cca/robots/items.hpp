@@ -1,7 +1,7 @@
 // Graphs put together from lists of items, for robots whose nodes and wires are generated.
 //
 //   struct my_robot : cca::robots::graph_of<cca::robots::items<cca::rate<1000>, cca::node<"bus", bus>>,
-//                                           joint_nodes<joint_node, my_axes>> {};
+//                                           nodes_of_joints> {};
 //
 // Name it by a struct of your own: messages then show that name, and symbols stay short.
 #pragma once

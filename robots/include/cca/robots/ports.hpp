@@ -12,7 +12,8 @@
 //   Device   the resource node that alone knows the simulator or the buses.
 //              sense  out an output for each axis, under its name: measured_joint<R, Axis>; the sensors
 //   Motors   the name of the node that takes what the joints want, of Device or of one of More.
-//              act    in  an input for each axis, under its name: wanted_joint<R, Axis>
+//              act    in  an input for each axis, under its name: wanted_joint<R, Axis>; where Device states
+//              `servo_axes`, it moves these itself, and takes what their joints want
 //   Joint    a template over the axis. sense: in "measured"; out "angle", "velocity", "torque".
 //            act: in one input for each command, under its name; out "wanted" (commanded_joint.hpp)
 //   More     further lists of items (items.hpp)
@@ -23,10 +24,12 @@
 
 #include <tuple>
 
+#include <cca/base/joined_names.hpp>
+#include <cca/component/strategy.hpp>
 #include <cca/robots/description.hpp>
 #include <cca/robots/items.hpp>
-#include <cca/robots/joints.hpp>
 #include <cca/robots/record.hpp>
+#include <cca/skeleton/collector.hpp>
 #include <cca/space/record.hpp>
 
 namespace cca::robots {
@@ -110,6 +113,8 @@ using sensed_load = sensed<R, Sensor>;
 
 namespace detail {
 
+using cca::detail::joined_name;
+
 // A splitter whose input need not be wired: then none of its outputs publishes.
 template <class Space, class Axes = typename Space::axes>
 struct optional_splitter;
@@ -140,12 +145,32 @@ struct reading_wires<Reading, axes<Axes...>> {
   using type = items<wire<joined_name<Axes::label, Reading::of>, joined_name<Reading::name, Axes::label>>...>;
 };
 
-template <fixed_string Device, fixed_string Motors, class Axes>
-struct device_wires;
-template <fixed_string Device, fixed_string Motors, class... Axes>
-struct device_wires<Device, Motors, axes<Axes...>> {
+// The axes that a device moves itself.
+template <class Device>
+struct servo_axes_of {
+  using type = axes<>;
+};
+template <class Device>
+  requires requires { typename Device::servo_axes; }
+struct servo_axes_of<Device> {
+  using type = typename Device::servo_axes;
+};
+
+template <fixed_string Device, fixed_string Motors, bool IsServo>
+inline constexpr auto mover = Motors;
+template <fixed_string Device, fixed_string Motors>
+inline constexpr auto mover<Device, Motors, true> = Device;
+
+template <fixed_string Device, fixed_string Motors, class Servos, class Axes>
+struct joint_items;
+template <fixed_string Device, fixed_string Motors, class Servos, class... Axes>
+struct joint_items<Device, Motors, Servos, axes<Axes...>> {
+  template <template <class> class Joint>
+  using nodes = items<node<Axes::label, Joint<Axes>>...>;
   using in = items<wire<joined_name<Device, Axes::label>, joined_name<Axes::label, "measured">>...>;
-  using out = items<wire<joined_name<Axes::label, "wanted">, joined_name<Motors, Axes::label>>...>;
+  using out = items<
+      wire<joined_name<Axes::label, "wanted">,
+           joined_name<mover<Device, Motors, Servos::template contains<Axes>>, Axes::label>>...>;
 };
 
 template <class R,
@@ -176,18 +201,18 @@ struct robot_graph<R,
                    readings<Readings...>,
                    sensors<Sensors...>,
                    More...> {
-  using own_axes = measured_axes_of<R>;
+  using joints = joint_items<Name, Motors, typename servo_axes_of<Device>::type, measured_axes_of<R>>;
   template <class Command>
   using taken = robots::command_space<R, Command>;
   using type =
       graph_of<items<typename R::rate, node<Name, Device>>,
-               joint_nodes<Joint, own_axes>,
+               typename joints::template nodes<Joint>,
                items<node<Commands::name, optional_splitter<taken<Commands>>, full_speed>...,
                      node<Readings::name, collector<"whole", typename Readings::space>, moderate>...>,
                typename command_wires<Commands, typename taken<Commands>::axes>::type...,
-               typename device_wires<Name, Motors, own_axes>::in,
+               typename joints::in,
                typename reading_wires<Readings, typename Readings::space::axes>::type...,
-               typename device_wires<Name, Motors, own_axes>::out,
+               typename joints::out,
                More...,
                items<expose<joined_name<Commands::name, "whole">, Commands::name>...,
                      expose<joined_name<Readings::name, "whole">, Readings::name>...,

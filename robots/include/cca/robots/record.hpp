@@ -14,8 +14,6 @@
 #include <string_view>
 
 #include <cca/base/fixed_string.hpp>
-#include <cca/base/joined_names.hpp>
-#include <cca/robots/items.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca::robots {
@@ -29,7 +27,6 @@ struct field {
 
 template <class... Fields>
 struct record_of {
-  using fields = items<Fields...>;
   static constexpr int size = (Fields::size + ...);  // numbers
 
   template <fixed_string Name>
@@ -53,20 +50,5 @@ private:
     return i;
   }
 };
-
-namespace detail {
-
-template <fixed_string Node, class Fields>
-struct field_ports_of;
-template <fixed_string Node, class... Fields>
-struct field_ports_of<Node, items<Fields...>> {
-  using type = items<expose<cca::detail::joined_name<Node, Fields::name>, Fields::name>...>;
-};
-
-}  // namespace detail
-
-// Exposes each field of a record, which the node `Node` publishes under the field's name.
-template <fixed_string Node, class Record>
-using field_ports = typename detail::field_ports_of<Node, typename Record::fields>::type;
 
 }  // namespace cca::robots

@@ -1,5 +1,5 @@
 // A board with inertial unit, foot sensors and abduction servos on the robot's bus: our own protocol, classic
-// frames, little-endian. board_record.hpp turns its readings into the trunk's record.
+// frames, little-endian. robot/boards/board_facts.hpp says what a robot takes from its readings.
 //
 //   id      bytes                                                             to the board, before its frames
 //   base    0-7 target of each abduction: i16, 0.1 mrad; -32768: unchanged
@@ -20,14 +20,14 @@
 
 #include <cca/hardware/drives/board_numbers.hpp>
 #include <cca/hardware/drives/drive.hpp>
+#include <cca/robots/inertial.hpp>
+#include <cca/robots/oncilla/axes.hpp>
 
 namespace cca::hardware {
 
-struct board_reading {
-  std::array<double, 4> orientation{0, 0, 0, 1};  // x y z w
-  std::array<double, 3> angular_velocity{};       // rad/s
-  std::array<double, 3> specific_force{};         // m/s^2
-  std::array<double, 4> foot_load{};              // N
+struct board_reading : robots::inertial_reading {
+  using servo_axes = robots::oncilla::abduction_axes;
+  std::array<double, 4> foot_load{};  // N
   std::array<bool, 4> contact{};
   std::array<double, 4> abduction{};  // rad
   std::uint8_t status = 0;
@@ -40,6 +40,14 @@ struct board_reading {
     r.orientation.fill(none), r.angular_velocity.fill(none), r.specific_force.fill(none),
         r.foot_load.fill(none), r.abduction.fill(none);
     return r;
+  }
+
+  // 1: the foot touches. They come in the frame of the angular velocity, so they are known when that is.
+  constexpr std::array<double, 4> contacts() const {
+    const double unknown = angular_velocity[0] * 0;  // 0, or not a number
+    std::array<double, 4> all{};
+    for (std::size_t leg = 0; leg < all.size(); ++leg) all[leg] = (contact[leg] ? 1 : 0) + unknown;
+    return all;
   }
 };
 

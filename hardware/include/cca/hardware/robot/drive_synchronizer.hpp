@@ -1,5 +1,5 @@
 // The synchronizer of a robot on CAN without its ports: it reads the buses, enables the drives, watches them,
-// sends set points and stops. oncilla/can_synchronizer.hpp and robot_synchronizer.hpp give it ports.
+// sends set points and stops. robot_synchronizer.hpp gives it ports.
 //
 //   read(now)                 in `sense`: takes what has come, and enables the drives where they start
 //   measured<I>(), states()   then: angle, velocity and torque of joint I, NaN where they are too old; all
@@ -21,7 +21,7 @@
 // pressed no drive is enabled. No set point is sent after frames that still wait: it would be stale.
 //
 //   Rate    of the beats: times are the same at any rate (beats.hpp)
-//   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
+//   Board   what is on the buses beside the drives (boards/, oncilla/sensor_board.hpp), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
 //
 // Parameters: `offset`, the calibration of each joint in rad, added to its type's offset. A change is refused

@@ -6,7 +6,8 @@
 //
 // R: a description (cca/robots/description.hpp), whose rate is 200 Hz to 4 kHz, if its buses carry that
 // (bus.overloaded). Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each measured axis of R's body,
-// in their order; then a robot_board, if R has sensors. Ports, nodes and wires are those of every described
+// in their order; then a board (boards/), if R has sensors. If its servos move some of the axes, the joints
+// are those of the others, in any order. Ports, nodes and wires are those of every described
 // robot (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the joints want and
 // the drives, and the limits of the axes bound it.
 //
@@ -28,6 +29,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <cca/hardware/robot/boards/board_facts.hpp>
 #include <cca/hardware/robot/boards/load_board.hpp>
 #include <cca/hardware/robot/boards/no_board.hpp>
 #include <cca/hardware/robot/joints_of.hpp>
@@ -50,15 +52,15 @@ constexpr bool follows(robots::command_kind kind) {
   return kind == robots::command_kind::velocity || (by_position && kind == robots::command_kind::position);
 }
 
-template <class Joints, class Commands>
+template <class D, class... Commands>
+constexpr bool follows_all(robots::commands<Commands...>) {
+  return ((Commands::is_hint || follows<D>(Commands::kind)) && ...);
+}
+template <class R, class Joints>
 inline constexpr bool all_follow = false;
-template <class... J, class... Commands>
-inline constexpr bool all_follow<joint_list<J...>, robots::commands<Commands...>> = [] {
-  bool all = true;
-  const auto one = [&]<class D>(std::type_identity<D>) { ((all = all && follows<D>(Commands::kind)), ...); };
-  (one(std::type_identity<typename J::drive>()), ...);
-  return all;
-}();
+template <class R, class... J>
+inline constexpr bool all_follow<R, joint_list<J...>> =
+    (follows_all<typename J::drive>(robots::commands_of_joint<R, typename J::axis>()) && ...);
 
 // Whether no drive stops by itself within a beat of so many ns.
 template <class Joints>
@@ -71,28 +73,39 @@ inline constexpr auto outlast<joint_list<J...>> = [](double beat) {
   return (one(J::drive::watchdog, beat) && ...);
 };
 
-template <class Board>
-constexpr std::size_t loads_of = 0;
-template <class Board>
-  requires requires { Board::sensors; }
-constexpr std::size_t loads_of<Board> = Board::sensors;
-template <class Board>
-constexpr std::size_t inertial_units_of = 0;
-template <class Board>
-  requires requires { Board::inertial_units; }
-constexpr std::size_t inertial_units_of<Board> = Board::inertial_units;
+// The axes that the servos of the board move, which is the last of all, if there is one.
+template <class Last>
+struct servos_of_last {
+  using type = axes<>;
+};
+template <class Last>
+  requires requires { typename Last::reading; }
+struct servos_of_last<Last> {
+  using type = servo_axes_of<Last>;
+};
 
-// Whether the board has all force sensors, and an inertial unit where each of the others sits.
-template <class Board, class... Sensors>
-constexpr bool has_sensors(robots::sensors<Sensors...> all) {
-  constexpr auto reads = [](std::size_t has, std::size_t needs) { return needs == 0 || has == needs; };
-  return reads(loads_of<Board>, robots::detail::load_count(all)) &&
-         reads(inertial_units_of<Board>, robots::detail::unit_count(all));
+// Whether each axis has a drive or a servo. Without servos the drives are in the order of the axes.
+template <class Joints, class Servos, class... Axes>
+constexpr bool each_is_moved(axes<Axes...> all) {
+  if constexpr (Servos::count == 0) return std::is_same_v<typename Joints::axes, decltype(all)>;
+  else return ((Joints::axes::template contains<Axes> || Servos::template contains<Axes>) && ...);
+}
+
+// Whether the servos take all commands of their axes.
+template <class R, class... Servos>
+constexpr bool servos_follow(axes<Servos...>) {
+  constexpr auto one = []<class... Commands>(robots::commands<Commands...>) {
+    return ((Commands::kind == robots::command_kind::position) && ...);
+  };
+  return (one(robots::commands_of_joint<R, Servos>()) && ...);
 }
 
 template <class R, class... Drives>
 struct robot_drives {
-  static constexpr std::size_t count = robots::measured_axes_of<R>::count;
+  using servos =
+      typename servos_of_last<std::tuple_element_t<sizeof...(Drives), std::tuple<no_board, Drives...>>>::type;
+  static constexpr std::size_t count =
+      static_cast<std::size_t>(robots::measured_axes_of<R>::count - servos::count);
   using joints = first_joints<count, Drives...>;
   using board = std::tuple_element_t<count, std::tuple<Drives..., no_board>>;
   using sound = typename robot_buses<typename R::rate, board, joints>::sound;
@@ -102,7 +115,7 @@ struct robot_drives {
 template <class R, class... Drives>
 constexpr auto check_drives() {
   static_assert(robots::check_without_masses<R>());
-  constexpr std::size_t count = robots::measured_axes_of<R>::count;
+  constexpr std::size_t count = robot_drives<R, Drives...>::count;
   constexpr bool enough = sizeof...(Drives) == count || sizeof...(Drives) == count + 1;
   static_assert(enough,
                 "robot.drives: this robot has more or fewer drives than its body has axes that are measured; "
@@ -110,14 +123,15 @@ constexpr auto check_drives() {
   if constexpr (enough) {
     using joints = typename robot_drives<R, Drives...>::joints;
     using board = typename robot_drives<R, Drives...>::board;
-    constexpr bool in_order = std::is_same_v<typename joints::axes, robots::measured_axes_of<R>>;
+    using servos = typename robot_drives<R, Drives...>::servos;
+    constexpr bool in_order = each_is_moved<joints, servos>(robots::measured_axes_of<R>());
     constexpr double hz = cca::detail::hz_of<typename R::rate>;
     constexpr bool can_be_held = hz >= 200 && hz <= 4000 && outlast<joints>(1e9 / hz);
     constexpr bool senses = has_sensors<board>(robots::sensors_of<R>());
-    constexpr bool follows = all_follow<joints, typename R::commands>;
+    constexpr bool follows = all_follow<R, joints> && servos_follow<R>(servos());
     static_assert(in_order,
                   "robot.drives: the joints of this robot are not in the order of its body's axes; list them "
-                  "in the order of cca::axes_of<body>");
+                  "in the order of cca::axes_of<body>; beside the servos of a board, one for each other axis");
     if constexpr (in_order)
       static_assert(
           can_be_held,
@@ -132,8 +146,8 @@ constexpr auto check_drives() {
     if constexpr (in_order && can_be_held && senses)
       static_assert(follows,
                     "robot.drives: a drive of this robot has gains of its own, so it follows positions or "
-                    "velocities, but the description has other `commands`; leave those out, or use a drive "
-                    "that takes torque");
+                    "velocities (a servo of its board: positions), but the description has other `commands` "
+                    "of its joint; leave those out, or use a drive that takes torque");
     return std::bool_constant<in_order && can_be_held && senses && follows>{};
   } else {
     return std::false_type{};
@@ -153,9 +167,9 @@ using robot_on_drives =
                            robot_synchronizer<R, Bus, Board, Joints>,
                            "servos",
                            driven_joints_of<R>::template node,
-                           safety_nodes<robot_servos<R, Joints>, "damping_stop", typename R::rate>,
-                           safety_wires<"synchronizer", "damping_stop">,
-                           safety_readings<"synchronizer", "damping_stop">>;
+                           safety_nodes<robot_servos<R, Joints>, typename R::rate>,
+                           safety_wires<"synchronizer">,
+                           safety_readings<"synchronizer">>;
 
 // After a mistake there is no graph, so that nothing else is reported.
 template <bool Fits, class R, class Bus, class... Drives>

@@ -8,7 +8,8 @@
 //   robot_servos<R, Joints>
 //     act    in what each joint wants, under its axis' name; "joints"; out "wanted"
 //            wanted_points: the law of the joint's servo (cca/robots/joint_servo.hpp) with the gains of its
-//            joint type. A joint without a command is damped
+//            joint type. A joint without a command is damped, or held where it was when motion began, if
+//            its drive `holds` (cca/robots/description.hpp)
 //
 // A command that is not finite makes a set point that is not finite: the guards stop for it. Cost: some
 // operations a joint.
@@ -83,17 +84,20 @@ private:
     s.position = joints::angle[i].nearest(q.known() ? q.angle : 0);
     for (const double number : given.values)
       if (std::isinf(number)) return s.torque = number, s;
-    if (q.phase < motion_phase::begins) servos[i] = {};  // a target begins where the joint is then
+    if (q.phase <= motion_phase::begins) servos[i] = {};  // a target begins where the joint is then
     const joint_servo& servo = joints::servo[i];
     const robots::joint_law law = servos[i].follow(given,
                                                    {servo.stiffness, servo.damping, joints::torque[i].upper,
-                                                    joints::speed[i].upper, joints::continuous[i]},
+                                                    joints::speed[i].upper, joints::continuous[i], holds[i]},
                                                    q.known() ? q.angle : s.position, beat);
     if (!servos[i].has_command()) return s.damping = servo.safe_damping, s;
     if (law.stiffness > 0) s.position = law.position;
     s.velocity = law.velocity, s.torque = law.torque, s.stiffness = law.stiffness, s.damping = law.damping;
     return s;
   }
+
+  static constexpr std::array<bool, joints::count> holds{
+      R::drives[static_cast<std::size_t>(robots::axes_of_robot<R>::template index_of<typename J::axis>)].holds...};
 
   std::array<robots::joint_servo, joints::count> servos{};
 };

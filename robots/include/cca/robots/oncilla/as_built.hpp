@@ -25,7 +25,7 @@ struct as_built : description {
   // [groups]
   using commands = robots::commands<of_joints<"command", position_command, leg_angles>,
                                     of_joints<"abduction", position_command, abduction_angles>,
-                                    of_joints<"stiffness", stiffness_command, hip_stiffnesses>>;
+                                    hint<of_joints<"stiffness", stiffness_command, hip_stiffnesses>>>;
   using readings = robots::readings<angles_of<"angles", leg_angles>,
                                     velocities_of<"velocities", leg_velocities>,
                                     torques_of<"torques", leg_torques>,

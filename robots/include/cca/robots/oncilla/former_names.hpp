@@ -66,9 +66,5 @@ using robots::oncilla::trunk_orientation;
 using robots::oncilla::joint_angle;
 using robots::oncilla::joint_torque;
 using robots::oncilla::joint_velocity;
-using robots::oncilla::measured_joint;
-using robots::oncilla::measured_trunk;
-using robots::oncilla::trunk_part;
-using robots::oncilla::trunk_record;
 
 }  // namespace cca::sim
