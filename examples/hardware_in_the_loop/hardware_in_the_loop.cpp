@@ -111,10 +111,11 @@ struct run_end {
 
 // It can be looked at.
 template <class Bus>
-struct observed : two_environments<Bus>,
-                  cca::recordable,
-                  cca::traceable,
-                  cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.synchronizer.orientation"> {};
+struct observed
+    : two_environments<Bus>,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.synchronizer.orientation"> {};
 
 // Both ends in this process.
 struct in_one_process : cca::robot_program<observed<memory_end>> {

@@ -23,11 +23,11 @@
 
 namespace {
 
-struct on_drives : hil::skills_on_drives,
-                   cca::recordable,
-                   cca::traceable,
-                   cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.synchronizer.orientation"> {
-};
+struct on_drives
+    : hil::skills_on_drives,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.synchronizer.orientation"> {};
 
 struct program : cca::robot_program<on_drives> {
   program() {

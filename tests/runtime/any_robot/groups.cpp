@@ -1,6 +1,5 @@
 // Ports over groups of joints, the sensors of feet, and servos that hold: on the Oncilla as it was built
-// (cca/robots/oncilla/as_built.hpp), which the trot of the examples takes for its robot without a component
-// in between.
+// (cca/robots/oncilla/as_built.hpp), which cca::sim::oncilla and cca::hardware::oncilla are made of.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,9 +21,6 @@ using namespace described_oncilla_test;
 namespace {
 
 using built = oncilla::as_built;
-
-struct built_trot : trot::architecture<sim::robot<built>> {};
-static_assert(cca::well_formed<built_trot>);
 
 // Stands, with stiffer hips, and moves its legs aside once it is told.
 struct orders {
@@ -159,26 +155,6 @@ TEST_SUITE("groups of joints") {
       CHECK(laws[hip_of(leg)].damping == doctest::Approx(1.5));  // scaled with it
       CHECK(laws[hip_of(leg) + 1].stiffness == 80);              // the cable's
       CHECK(laws[hip_of(leg) - 1].stiffness == 80);
-    }
-  }
-
-  TEST_CASE("the trot takes it for its robot: on flat ground, slopes and steps, with pushes") {
-    struct place {
-      sim::terrain ground;
-      std::uint64_t seed;
-    };
-    for (const auto& [ground, seed] :
-         {place{sim::terrain::flat(), 1}, place{sim::terrain::slope(oncilla::degrees(6)), 2},
-          place{sim::terrain::slope(oncilla::degrees(-6)), 3}, place{sim::terrain::steps(0.006), 4}}) {
-      cca::controller<built_trot> c;
-      c.load();
-      auto& simulator = put_on(c, ground, sim::disturbance::from_seed(seed, 8));
-      c.start();
-      const walk w = walked_in(simulator.world(), 8, [&] { REQUIRE(c.step()); });
-      MESSAGE(ground.name(), ": ", w.speed, " m/s, slip ", w.slip, std::string(w.fell ? ", fell" : ""));
-      CHECK(!w.fell);
-      CHECK(w.speed > 0.5);  // three pushes in six seconds
-      CHECK(w.slip < 0.15);
     }
   }
 }

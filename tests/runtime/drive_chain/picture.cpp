@@ -73,7 +73,7 @@ std::string part(const std::string& mermaid, std::initializer_list<std::string_v
 
 TEST_CASE("the picture of the safety chain") {
   CHECK_EQ(part(cca::describe<hil::oncilla<hil::memory_end>>::mermaid(),
-                {"synchronizer", "servos", "finite", "stale", "emergency_stop", "soft_stop", "damping",
+                {"synchronizer", "servos", "finite", "stale", "emergency_stop", "soft_stop", "damping_stop",
                  "rate", "limits"}),
            test::on_page(picture));
 }

@@ -34,6 +34,14 @@ struct pendulum {
 
 struct on_drive : hw::robot<pendulum, end_of_wire, swing_joint> {};
 
+// The same where the drive holds its joint until a command comes.
+struct holding : pendulum {
+  static constexpr std::array drives{
+      robots::joint_drive{.motor = {3, 16}, .stiffness = 20, .damping = 0.6, .holds = true}};
+};
+struct holds_on_drive : hw::robot<holding, end_of_wire, swing_joint> {};
+struct holding_alone : cca::graph<cca::node<"robot", holds_on_drive>> {};
+
 // Commands of one kind: none until there is a value.
 template <class Command>
 struct source {
@@ -185,6 +193,26 @@ TEST_SUITE("a described robot on one drive") {
     l.beats(500);
     CHECK(l.motor.now.velocity == doctest::Approx(1 / (0.5 + 0.01)).epsilon(0.05));
     CHECK(l.stop().mode() == hw::motion_mode::run);
+  }
+
+  TEST_CASE("one whose drive holds stays where motion began, in each start anew") {
+    cca::controller<holding_alone> c;
+    hw::virtual_hardware<holds_on_drive, hw::virtual_motors<hw::joint_list<swing_joint>>> far{
+        c.get<"robot.synchronizer">()};
+    hw::virtual_motor& motor = far.plant.motors[0];
+    motor.inertia = 0.02, motor.friction = 0.01, motor.most_torque = 5;
+    for (const double at : {0.3, -0.4}) {
+      motor.now = {at, 0, 0};
+      far.plant.load[0] = 0;
+      c.start();
+      for (int k = 0; k < 100; ++k) c.step(), far.step();
+      REQUIRE(c.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
+      far.plant.load[0] = 1;
+      for (int k = 0; k < 1000; ++k) c.step(), far.step();
+      CHECK(motor.now.position == doctest::Approx(at + 1 / 20.0).epsilon(0.02));
+      c.stop();
+      for (int k = 0; k < 2000; ++k) c.step(), far.step();
+    }
   }
 
   TEST_CASE("position, velocity, stiffness and damping: the synchronizer makes the law of a servo") {

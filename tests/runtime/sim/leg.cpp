@@ -131,6 +131,7 @@ TEST_SUITE("sim leg") {
             doctest::Approx(sim::side_of(i) * (m.hip_y - foot.z * std::sin(p.legs[i].abduction))));
       CHECK(at[2] - trunk[2] ==
             doctest::Approx(-m.trunk_above_hips + foot.z * std::cos(p.legs[i].abduction)));
+      CHECK(w.tension(i) == doctest::Approx(m.spring_rate * sim::diagonal_stretch(m, p.legs[i].knee)));
     }
   }
 

@@ -168,9 +168,9 @@ struct joint_items<Device, Motors, Servos, axes<Axes...>> {
   template <template <class> class Joint>
   using nodes = items<node<Axes::label, Joint<Axes>>...>;
   using in = items<wire<joined_name<Device, Axes::label>, joined_name<Axes::label, "measured">>...>;
-  using out = items<
-      wire<joined_name<Axes::label, "wanted">,
-           joined_name<mover<Device, Motors, Servos::template contains<Axes>>, Axes::label>>...>;
+  using out =
+      items<wire<joined_name<Axes::label, "wanted">,
+                 joined_name<mover<Device, Motors, Servos::template contains<Axes>>, Axes::label>>...>;
 };
 
 template <class R,

@@ -84,11 +84,10 @@ struct servos_of_last<Last> {
   using type = servo_axes_of<Last>;
 };
 
-// Whether each axis has a drive or a servo. Without servos the drives are in the order of the axes.
+// Whether each axis has a drive or a servo.
 template <class Joints, class Servos, class... Axes>
-constexpr bool each_is_moved(axes<Axes...> all) {
-  if constexpr (Servos::count == 0) return std::is_same_v<typename Joints::axes, decltype(all)>;
-  else return ((Joints::axes::template contains<Axes> || Servos::template contains<Axes>) && ...);
+constexpr bool each_is_moved(axes<Axes...>) {
+  return ((Joints::axes::template contains<Axes> || Servos::template contains<Axes>) && ...);
 }
 
 // Whether the servos take all commands of their axes.
@@ -124,14 +123,20 @@ constexpr auto check_drives() {
     using joints = typename robot_drives<R, Drives...>::joints;
     using board = typename robot_drives<R, Drives...>::board;
     using servos = typename robot_drives<R, Drives...>::servos;
-    constexpr bool in_order = each_is_moved<joints, servos>(robots::measured_axes_of<R>());
+    constexpr bool moved = servos::count == 0 || each_is_moved<joints, servos>(robots::measured_axes_of<R>());
+    constexpr bool in_order =
+        moved && (servos::count != 0 || std::is_same_v<typename joints::axes, robots::measured_axes_of<R>>);
     constexpr double hz = cca::detail::hz_of<typename R::rate>;
     constexpr bool can_be_held = hz >= 200 && hz <= 4000 && outlast<joints>(1e9 / hz);
     constexpr bool senses = has_sensors<board>(robots::sensors_of<R>());
     constexpr bool follows = all_follow<R, joints> && servos_follow<R>(servos());
-    static_assert(in_order,
+    static_assert(
+        moved,
+        "robot.drives: an axis of this robot has no drive, and no servo of its board moves it; after "
+        "the bus, list one cca::hardware::joint for each of the other axes, in any order");
+    static_assert(in_order || !moved,
                   "robot.drives: the joints of this robot are not in the order of its body's axes; list them "
-                  "in the order of cca::axes_of<body>; beside the servos of a board, one for each other axis");
+                  "in the order of cca::axes_of<body>");
     if constexpr (in_order)
       static_assert(
           can_be_held,
@@ -161,15 +166,14 @@ struct driven_joints_of {
 };
 
 template <class R, class Bus, class Board, class Joints>
-using robot_on_drives =
-    robots::graph_of_robot<R,
-                           "synchronizer",
-                           robot_synchronizer<R, Bus, Board, Joints>,
-                           "servos",
-                           driven_joints_of<R>::template node,
-                           safety_nodes<robot_servos<R, Joints>, typename R::rate>,
-                           safety_wires<"synchronizer">,
-                           safety_readings<"synchronizer">>;
+using robot_on_drives = robots::graph_of_robot<R,
+                                               "synchronizer",
+                                               robot_synchronizer<R, Bus, Board, Joints>,
+                                               "servos",
+                                               driven_joints_of<R>::template node,
+                                               safety_nodes<robot_servos<R, Joints>, typename R::rate>,
+                                               safety_wires<"synchronizer">,
+                                               safety_readings<"synchronizer">>;
 
 // After a mistake there is no graph, so that nothing else is reported.
 template <bool Fits, class R, class Bus, class... Drives>

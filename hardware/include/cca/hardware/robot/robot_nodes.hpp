@@ -97,7 +97,8 @@ private:
   }
 
   static constexpr std::array<bool, joints::count> holds{
-      R::drives[static_cast<std::size_t>(robots::axes_of_robot<R>::template index_of<typename J::axis>)].holds...};
+      R::drives[static_cast<std::size_t>(robots::axes_of_robot<R>::template index_of<typename J::axis>)]
+          .holds...};
 
   std::array<robots::joint_servo, joints::count> servos{};
 };

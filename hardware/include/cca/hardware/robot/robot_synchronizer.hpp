@@ -68,12 +68,14 @@ private:
   template <class Axis>
   Eigen::Vector3d servo() const {
     constexpr double none = drive_report::untold;
-    return {this->reading.abduction[static_cast<std::size_t>(servo_axes::template index_of<Axis>)], none, none};
+    return {this->reading.abduction[static_cast<std::size_t>(servo_axes::template index_of<Axis>)], none,
+            none};
   }
   void move_servos(const angles& targets, bool runs) {
     const bool any_came = !std::ranges::all_of(targets, [](double target) { return std::isnan(target); });
     if (!runs) servos.close();
-    else if (any_came) this->outbox[Board::bus].add(Board::abduct(servos.pass(targets, this->reading.abduction)));
+    else if (any_came)
+      this->outbox[Board::bus].add(Board::abduct(servos.pass(targets, this->reading.abduction)));
   }
 
   template <class Sensor>
@@ -90,11 +92,9 @@ private:
 }  // namespace detail
 
 template <class R, CanBus Bus, class Board, class Joints>
-class robot_synchronizer : public detail::robot_synchronizer_of<R,
-                                                                Bus,
-                                                                Board,
-                                                                Joints,
-                                                                robots::sensors_of<R>,
-                                                                detail::servo_axes_of<Board>> {};
+class robot_synchronizer
+    : public detail::
+          robot_synchronizer_of<R, Bus, Board, Joints, robots::sensors_of<R>, detail::servo_axes_of<Board>> {
+};
 
 }  // namespace cca::hardware

@@ -27,9 +27,7 @@ using joint_state_wires = robots::items<
 
 }  // namespace detail
 
-template <class Servos,
-          class Rate,
-          class Joints = typename Servos::joints>
+template <class Servos, class Rate, class Joints = typename Servos::joints>
 using safety_nodes = robots::items<node<"servos", Servos>,
                                    node<"finite", finite_guard<Joints>>,
                                    node<"stale", stale_guard<Joints>>,
@@ -40,19 +38,23 @@ using safety_nodes = robots::items<node<"servos", Servos>,
                                    node<"limits", limit_guard<Joints>>>;
 
 template <fixed_string Synchronizer>
-using safety_wires =
-    robots::items<wire<"servos.wanted", "finite.wanted">,
-                  wire<"finite.safe", "stale.wanted">,
-                  wire<"stale.safe", "emergency_stop.wanted">,
-                  wire<"emergency_stop.safe", "soft_stop.wanted">,
-                  wire<"soft_stop.safe", "damping_stop.wanted">,
-                  wire<"damping_stop.safe", "rate.wanted">,
-                  wire<"rate.safe", "limits.wanted">,
-                  wire<"limits.safe", cca::detail::joined_name<Synchronizer, "set_points">>>;
+using safety_wires = robots::items<wire<"servos.wanted", "finite.wanted">,
+                                   wire<"finite.safe", "stale.wanted">,
+                                   wire<"stale.safe", "emergency_stop.wanted">,
+                                   wire<"emergency_stop.safe", "soft_stop.wanted">,
+                                   wire<"soft_stop.safe", "damping_stop.wanted">,
+                                   wire<"damping_stop.safe", "rate.wanted">,
+                                   wire<"rate.safe", "limits.wanted">,
+                                   wire<"limits.safe", cca::detail::joined_name<Synchronizer, "set_points">>>;
 
 // The guards that look at where the joints are.
 template <fixed_string Synchronizer>
-using safety_readings = detail::
-    joint_state_wires<Synchronizer, "servos", "emergency_stop", "soft_stop", "damping_stop", "rate", "limits">;
+using safety_readings = detail::joint_state_wires<Synchronizer,
+                                                  "servos",
+                                                  "emergency_stop",
+                                                  "soft_stop",
+                                                  "damping_stop",
+                                                  "rate",
+                                                  "limits">;
 
 }  // namespace cca::hardware

@@ -60,9 +60,8 @@ public:
   }
 
 private:
-  static constexpr std::array<joint_bounds, count> range{
-      joint_bounds{cca::detail::lower_limit_of<Axes, cca::angle>,
-                   cca::detail::upper_limit_of<Axes, cca::angle>}...};
+  static constexpr std::array<joint_bounds, count> range{joint_bounds{
+      cca::detail::lower_limit_of<Axes, cca::angle>, cca::detail::upper_limit_of<Axes, cca::angle>}...};
   static constexpr angles fastest{cca::detail::upper_limit_of<Axes, cca::velocity>...};
 
   angles at{};

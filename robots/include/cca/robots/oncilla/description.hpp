@@ -11,8 +11,8 @@
 // their ranges bound targets only. They cross in one point, so the link between them needs no mass
 // (cca/robots/crossing.hpp).
 //
-// as_built.hpp is the same robot with the ports by which its controllers know it: cca::sim::oncilla.
-// tests/runtime/any_robot/oncilla.cpp compares the two; robot_on_drives/oncilla.cpp has it on drives.
+// as_built.hpp is the same robot with the ports by which its controllers know it: cca::sim::oncilla and
+// cca::hardware::oncilla. tests/runtime/robot_on_drives/oncilla.cpp has this one on drives.
 // docs/robots.md.
 #pragma once
 
