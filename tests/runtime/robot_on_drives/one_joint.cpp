@@ -197,6 +197,7 @@ TEST_SUITE("a described robot on one drive") {
 
   TEST_CASE("one whose drive holds stays where motion began, in each start anew") {
     cca::controller<holding_alone> c;
+    c.load();
     hw::virtual_hardware<holds_on_drive, hw::virtual_motors<hw::joint_list<swing_joint>>> far{
         c.get<"robot.synchronizer">()};
     hw::virtual_motor& motor = far.plant.motors[0];

@@ -178,8 +178,8 @@ constexpr std::size_t unit_of(sensors<All...>) {
 }
 
 // The part of a unit's reading that a sensor publishes.
-template <class Sensor>
-const auto& share_of(const inertial_reading& unit) {
+template <class Sensor, class Reading>
+const auto& share_of(const Reading& unit) {
   if constexpr (Sensor::kind == sensor_kind::orientation) return unit.orientation;
   else if constexpr (Sensor::kind == sensor_kind::angular_velocity) return unit.angular_velocity;
   else return unit.specific_force;

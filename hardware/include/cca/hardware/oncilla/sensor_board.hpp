@@ -20,14 +20,16 @@
 
 #include <cca/hardware/drives/board_numbers.hpp>
 #include <cca/hardware/drives/drive.hpp>
-#include <cca/robots/inertial.hpp>
 #include <cca/robots/oncilla/axes.hpp>
 
 namespace cca::hardware {
 
-struct board_reading : robots::inertial_reading {
+struct board_reading {
   using servo_axes = robots::oncilla::abduction_axes;
-  std::array<double, 4> foot_load{};  // N
+  std::array<double, 4> orientation{0, 0, 0, 1};  // x y z w
+  std::array<double, 3> angular_velocity{};       // rad/s
+  std::array<double, 3> specific_force{};         // m/s^2
+  std::array<double, 4> foot_load{};              // N
   std::array<bool, 4> contact{};
   std::array<double, 4> abduction{};  // rad
   std::uint8_t status = 0;

@@ -1,7 +1,7 @@
 // What a board reads and moves, from the type of its readings. A reading has what its board has:
 //
 //   loads         an array: torque and force of each force sensor
-//   inertial      an array of robots::inertial_reading; or the reading is one itself
+//   inertial      an array of robots::inertial_reading; or the reading has its members
 //   foot_load     an array: N, of each foot; then also contacts(), 1 where a foot touches
 //   servo_axes    the axes that the board's servos move. Then it has their angles, `abduction` (rad), and
 //                 Board::abduct(targets) makes the frame for them; a target that is not a number changes
@@ -12,7 +12,6 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -34,7 +33,7 @@ template <class Reading>
 constexpr std::size_t loads_of<Reading> = size_of_array<decltype(Reading::loads)>;
 
 template <class Reading>
-constexpr std::size_t units_of = std::derived_from<Reading, robots::inertial_reading> ? 1 : 0;
+constexpr std::size_t units_of = requires(Reading r) { r.specific_force; } ? 1 : 0;
 template <class Reading>
   requires requires(Reading r) { r.inertial; }
 constexpr std::size_t units_of<Reading> = size_of_array<decltype(Reading::inertial)>;
