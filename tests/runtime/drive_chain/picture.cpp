@@ -19,28 +19,28 @@ namespace {
 constexpr std::string_view picture = R"(// [picture]
 flowchart LR
   n0[("synchronizer<br/><i>1000 Hz</i>")]
-  n14[("servos<br/><i>1000 Hz</i>")]
-  n15[("finite<br/><i>1000 Hz</i>")]
-  n16[("stale<br/><i>1000 Hz</i>")]
-  n17[("emergency_stop<br/><i>1000 Hz</i>")]
-  n18[("soft_stop<br/><i>1000 Hz</i>")]
-  n19[("damping<br/><i>1000 Hz</i>")]
-  n20[("rate<br/><i>1000 Hz</i>")]
-  n21[("limits<br/><i>1000 Hz</i>")]
-  n21 -- "safe → set_points<br/>set_points, 1000 Hz" --> n0
-  n0 -- "joints<br/>joint_states, 1000 Hz" --> n14
-  n14 -- "wanted<br/>wanted_points, 1000 Hz" --> n15
-  n15 -- "safe → wanted<br/>wanted_points, 1000 Hz" --> n16
-  n16 -- "safe → wanted<br/>wanted_points, 1000 Hz" --> n17
-  n0 -- "joints<br/>joint_states, 1000 Hz" --> n17
-  n17 -- "safe → wanted<br/>set_points, 1000 Hz" --> n18
-  n0 -- "joints<br/>joint_states, 1000 Hz" --> n18
-  n18 -- "safe → wanted<br/>set_points, 1000 Hz" --> n19
-  n0 -- "joints<br/>joint_states, 1000 Hz" --> n19
-  n19 -- "safe → wanted<br/>set_points, 1000 Hz" --> n20
+  n20[("servos<br/><i>1000 Hz</i>")]
+  n21[("finite<br/><i>1000 Hz</i>")]
+  n22[("stale<br/><i>1000 Hz</i>")]
+  n23[("emergency_stop<br/><i>1000 Hz</i>")]
+  n24[("soft_stop<br/><i>1000 Hz</i>")]
+  n25[("damping_stop<br/><i>1000 Hz</i>")]
+  n26[("rate<br/><i>1000 Hz</i>")]
+  n27[("limits<br/><i>1000 Hz</i>")]
+  n27 -- "safe → set_points<br/>set_points, 1000 Hz" --> n0
   n0 -- "joints<br/>joint_states, 1000 Hz" --> n20
-  n20 -- "safe → wanted<br/>set_points, 1000 Hz" --> n21
-  n0 -- "joints<br/>joint_states, 1000 Hz" --> n21
+  n20 -- "wanted<br/>wanted_points, 1000 Hz" --> n21
+  n21 -- "safe → wanted<br/>wanted_points, 1000 Hz" --> n22
+  n22 -- "safe → wanted<br/>wanted_points, 1000 Hz" --> n23
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n23
+  n23 -- "safe → wanted<br/>set_points, 1000 Hz" --> n24
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n24
+  n24 -- "safe → wanted<br/>set_points, 1000 Hz" --> n25
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n25
+  n25 -- "safe → wanted<br/>set_points, 1000 Hz" --> n26
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n26
+  n26 -- "safe → wanted<br/>set_points, 1000 Hz" --> n27
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n27
 )";  // [picture end]
 
 // The lines of a picture for these nodes and the wires between them. Names of spaces lose their template
