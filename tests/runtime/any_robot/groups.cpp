@@ -1,11 +1,8 @@
 // Ports over groups of joints, the sensors of feet, and servos that hold: on the Oncilla as it was built
 // (cca/robots/oncilla/as_built.hpp), which cca::sim::oncilla and cca::hardware::oncilla are made of.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <string>
 
 #include <doctest/doctest.h>
 
