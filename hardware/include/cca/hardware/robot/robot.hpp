@@ -99,12 +99,16 @@ constexpr bool servos_follow(axes<Servos...>) {
   return (one(robots::commands_of_joint<R, Servos>()) && ...);
 }
 
+template <class... Drives>
+using servos_of =
+    typename servos_of_last<std::tuple_element_t<sizeof...(Drives), std::tuple<no_board, Drives...>>>::type;
+template <class R, class... Drives>
+constexpr auto drive_count =
+    static_cast<std::size_t>(robots::measured_axes_of<R>::count - servos_of<Drives...>::count);
+
 template <class R, class... Drives>
 struct robot_drives {
-  using servos =
-      typename servos_of_last<std::tuple_element_t<sizeof...(Drives), std::tuple<no_board, Drives...>>>::type;
-  static constexpr std::size_t count =
-      static_cast<std::size_t>(robots::measured_axes_of<R>::count - servos::count);
+  static constexpr std::size_t count = drive_count<R, Drives...>;
   using joints = first_joints<count, Drives...>;
   using board = std::tuple_element_t<count, std::tuple<Drives..., no_board>>;
   using sound = typename robot_buses<typename R::rate, board, joints>::sound;
@@ -114,7 +118,7 @@ struct robot_drives {
 template <class R, class... Drives>
 constexpr auto check_drives() {
   static_assert(robots::check_without_masses<R>());
-  constexpr std::size_t count = robot_drives<R, Drives...>::count;
+  constexpr std::size_t count = drive_count<R, Drives...>;
   constexpr bool enough = sizeof...(Drives) == count || sizeof...(Drives) == count + 1;
   static_assert(enough,
                 "robot.drives: this robot has more or fewer drives than its body has axes that are measured; "
@@ -122,7 +126,7 @@ constexpr auto check_drives() {
   if constexpr (enough) {
     using joints = typename robot_drives<R, Drives...>::joints;
     using board = typename robot_drives<R, Drives...>::board;
-    using servos = typename robot_drives<R, Drives...>::servos;
+    using servos = servos_of<Drives...>;
     constexpr bool moved = servos::count == 0 || each_is_moved<joints, servos>(robots::measured_axes_of<R>());
     constexpr bool in_order =
         moved && (servos::count != 0 || std::is_same_v<typename joints::axes, robots::measured_axes_of<R>>);
