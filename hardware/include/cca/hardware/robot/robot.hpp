@@ -93,7 +93,7 @@ constexpr bool each_is_moved(axes<Axes...>) {
 // Whether the servos take all commands of their axes.
 template <class R, class... Servos>
 constexpr bool servos_follow(axes<Servos...>) {
-  constexpr auto one = []<class... Commands>(robots::commands<Commands...>) {
+  [[maybe_unused]] constexpr auto one = []<class... Commands>(robots::commands<Commands...>) {
     return ((Commands::kind == robots::command_kind::position) && ...);
   };
   return (one(robots::commands_of_joint<R, Servos>()) && ...);
