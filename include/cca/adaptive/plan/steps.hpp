@@ -1,5 +1,6 @@
 // The plan of a sequence as a type: steps by name, the condition of each, and which step may follow which
 // (sequence.hpp says what the options mean). A plan holds no numbers of a robot, so NaN does not reach it.
+// Errors: plan.bad_step.
 #pragma once
 
 #include <array>
@@ -9,7 +10,10 @@
 #include <utility>
 
 #include <cca/adaptive/plan/conditions.hpp>
+#include <cca/base/text.hpp>
+#include <cca/base/type_name.hpp>
 #include <cca/component/done.hpp>
+#include <cca/graph/diagnosis/printed.hpp>
 
 namespace cca {
 
@@ -125,8 +129,30 @@ struct asked_of_parts<std::tuple<Part...>> {
   }
 };
 
-template <class Step>
-struct step_facts;
+template <class>
+inline constexpr bool is_step = false;
+template <fixed_string Name, class... Options>
+inline constexpr bool is_step<step<Name, Options...>> = true;
+
+template <class Item>
+struct said_of_no_step {
+  static constexpr text said = [] {
+    text one;
+    one << "plan.bad_step: an item of cca::steps is `" << type_name<Item>()
+        << "`, which is no step: write conditions and options inside a step, as in cca::step<`reach`, "
+           "cca::after<100>>";
+    return one;
+  }();
+  static constexpr std::string_view view() { return said.view(); }
+};
+// Of what is no step: nothing else is reported.
+template <class Item>
+struct step_facts {
+  static_assert(sizeof(printed<said_of_no_step<Item>>) != 0);
+  using parts = std::tuple<>;
+  using condition = all<>;
+  static constexpr step_info info{};
+};
 template <fixed_string Name, class... Options>
 struct step_facts<step<Name, Options...>> {
   using parts = joined_parts<typename parts_of_option<Options>::type...>;
@@ -143,6 +169,7 @@ struct step_facts<step<Name, Options...>> {
 template <class... Steps>
 struct steps {
   static constexpr int count = sizeof...(Steps);
+  static constexpr bool has_steps_only = (detail::is_step<Steps> && ...);
   static constexpr std::array<detail::step_info, sizeof...(Steps)> table{detail::step_facts<Steps>::info...};
 
   // What its conditions ask for: a component that runs a plan has the same member.
@@ -157,7 +184,7 @@ struct steps {
   }
   template <fixed_string Name>
   static constexpr int at = [] {
-    static_assert(find(Name.view()) >= 0, "cca::steps: there is no step with this name");
+    static_assert(find(Name.view()) >= 0 || !has_steps_only, "cca::steps: there is no step with this name");
     return find(Name.view());
   }();
 
@@ -223,6 +250,7 @@ struct steps {
   }
 
   static constexpr bool well_named() {
+    if (!has_steps_only) return true;  // the first mistake is reported
     for (int i = 0; i < count; ++i) {
       const auto& one = table[static_cast<std::size_t>(i)];
       if (find(one.name) != i || (!one.next.empty() && find(one.next) < 0) ||

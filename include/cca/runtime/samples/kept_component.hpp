@@ -3,9 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <type_traits>
 
+#include <cca/base/text.hpp>
+#include <cca/base/type_name.hpp>
 #include <cca/component/parameter_check.hpp>
+#include <cca/graph/diagnosis/printed.hpp>
 
 namespace cca::detail {
 
@@ -13,15 +17,24 @@ template <class Component>
 struct kept_component {
   [[no_unique_address]] Component component;
 };
+template <class Component>
+struct said_of_no_default {
+  static constexpr text said = [] {
+    text one;
+    one << "component.no_default: a controller makes its components, so each needs a constructor without "
+           "arguments, and "
+        << type_name<Component>()
+        << " has none: give its constructor defaults; what differs between nodes is a template argument or "
+           "one of its `parameters`";
+    return one;
+  }();
+  static constexpr std::string_view view() { return said.view(); }
+};
 // It is never made, and no error follows from that.
 template <class Component>
   requires(!std::is_default_constructible_v<Component>)
 struct kept_component<Component> {
-  static_assert(
-      std::is_default_constructible_v<Component>,
-      "component.no_default: a controller makes its components, so each needs a constructor without "
-      "arguments, and the component that the compiler names here has none: give its constructor "
-      "defaults; what differs between nodes is a template argument or one of its `parameters`");
+  static_assert(sizeof(printed<said_of_no_default<Component>>) != 0);
   kept_component() {}
   kept_component(const kept_component&) {}
   kept_component& operator=(const kept_component&) { return *this; }
