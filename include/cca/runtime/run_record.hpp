@@ -101,7 +101,7 @@ public:
   // period, and goes_on() as well, or more often if a period is long; false ends the pause and the run.
   template <class Pace, class Idle, class GoesOn>
   bool obey(Pace& pace, std::int64_t period, Idle idle, GoesOn goes_on) {
-    news.store(false, std::memory_order_relaxed);
+    (void)news.exchange(false, std::memory_order_acq_rel);
     if (has_speed.exchange(false, std::memory_order_acquire)) {
       if constexpr (requires { pace.set_speed(1.0); })
         refuses_speed.store(!pace.set_speed(speed.load(std::memory_order_relaxed)),
@@ -137,7 +137,8 @@ public:
 private:
   static constexpr std::int64_t shortest = 100'000;  // ns
 
-  void note() noexcept { news.store(true, std::memory_order_release); }
+  // Exchanged on both sides: the loop that takes the news sees what each of two threads had stored before.
+  void note() noexcept { (void)news.exchange(true, std::memory_order_acq_rel); }
 
   std::atomic<bool> news{false}, is_wanted{false}, holds{false}, has_speed{false}, refuses_speed{false};
   std::atomic<int> steps{0};
