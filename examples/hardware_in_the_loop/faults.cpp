@@ -1,9 +1,10 @@
 // The fault campaign: one run for each fault of fault_rows.hpp. Prints a table.
 //
-// usage: hardware_in_the_loop_faults [--one-loop] [faults.json [docs/hardware.md]]
+// usage: hardware_in_the_loop_faults [--one-loop] [--every N] [faults.json [docs/hardware.md]]
 //   faults.json        writes the table as JSON
 //   docs/hardware.md   replaces the table in this page
 //   --one-loop         without the delays between gait and buses; else as in the real robot's program
+//   --every N          the first fault, and each N-th after it
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -82,12 +83,13 @@ std::string renewed(const std::string& path, const std::string& table) {
   return text.replace(from, to + 1 - from, table);
 }
 
-// All rows; after a signal, those that were over.
+// The first row, and each `every`-th after it; after a signal, those that were over.
 template <class Delay>
-std::vector<result> run_rows(std::optional<cca::interruption>& interrupted) {
+std::vector<result> run_rows(std::optional<cca::interruption>& interrupted, int every) {
   std::vector<result> all;
+  int number = 0;
   campaign<Delay>([&](auto row, bool raises_signal) {
-    if (*interrupted) return;
+    if (number++ % every != 0 || *interrupted) return;
     all.push_back(row());
     std::cerr << '.' << std::flush;
     if (raises_signal) interrupted.emplace();  // the row's own signal ends the row, not the campaign
@@ -96,9 +98,12 @@ std::vector<result> run_rows(std::optional<cca::interruption>& interrupted) {
   return all;
 }
 
-int run_campaign(bool one_loop, const std::vector<std::string>& files) {
+int run_campaign(bool one_loop, int every, const std::vector<std::string>& files) {
+  if (every > 1 && files.size() > 1)
+    throw std::invalid_argument(files[1] + ": its table has all faults; leave out --every");
   std::optional<cca::interruption> signals(std::in_place);
-  const auto all = one_loop ? run_rows<cca::latest>(signals) : run_rows<cca::delayed<1>>(signals);
+  const auto all =
+      one_loop ? run_rows<cca::latest>(signals, every) : run_rows<cca::delayed<1>>(signals, every);
   const cca::interruption& interrupted = *signals;
   const std::string table = table_of(all);
   std::cout << table;
@@ -127,10 +132,12 @@ int run_campaign(bool one_loop, const std::vector<std::string>& files) {
 int main(int count, char** words) {
   std::vector<std::string> files;
   bool one_loop = false;
+  int every = 1;
   cca::command_line line("the trot on virtual drives, and everything that can go wrong");
   line.flag("--one-loop", one_loop, "without the delays between gait and buses");
+  line.number("--every N", every, 1, 1000, "only the first fault, and each N-th after it (1: all)");
   cca::offer_descriptions<cca::controller<limited<cca::delayed<1>>>>(line);
   line.words("[FILE [PAGE]]", files, 2,
              "writes the table as JSON, and replaces that of the page, docs/hardware.md");
-  return cca::run_program(count, words, line, [&] { return run_campaign(one_loop, files); });
+  return cca::run_program(count, words, line, [&] { return run_campaign(one_loop, every, files); });
 }
