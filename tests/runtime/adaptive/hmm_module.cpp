@@ -139,8 +139,7 @@ TEST_CASE("three demonstrations in a graph: it learns them beside the loop, and 
   auto& timed = c.get<"timed">().learning;
   CHECK(hidden.state() == cca::learning::batch);
   CHECK(hidden.example_count() == 3 * 398);  // of each the first and the last have no neighbours
-  for (int k = 0; k < 20000; ++k) {
-    if (hidden.state() != cca::learning::batch && timed.state() != cca::learning::batch) break;
+  while (hidden.state() == cca::learning::batch || timed.state() == cca::learning::batch) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     c.step();
   }
