@@ -5,7 +5,8 @@ usage: rules.py [ROOT of the repository]
 
 A rule is a string literal in a header that is, or begins with, its id: "space.mismatch" or "space.mismatch: ...". Each rule
 of graphs has a header of its own, a line in include/cca/graph/diagnosis/rules/rules.hpp, and a mistake in
-tests/rejects/many_nodes/mistakes.cpp.
+tests/rejects/many_nodes/mistakes.cpp. What else it says, in which case, is compared in tests/static: there stands each
+sentence of its header.
 """
 import pathlib
 import re
@@ -42,6 +43,22 @@ def rule_headers(root):
     """Ids by header, of the folders where each rule has one."""
     folder = (root / LIST).parent
     return {header.relative_to(root): re.findall(r'id = "([^"]+)";', header.read_text()) for header in sorted(folder.glob("*/*.hpp"))}
+
+
+def literals(code):
+    """The string literals, where the compiler joins them."""
+    code = re.sub(r"//.*|#include.*", "", code)
+    return re.findall(r'"((?:[^"\\\n]|\\.)*)"', re.sub(r'"\s*\n\s*"', "", code))
+
+
+def untold(root):
+    """Each phrase of three words or more in the header of a rule of graphs is part of a text in tests/static, which compares
+    whole messages: a case of a rule that no test breaks is missing there."""
+    compared = "\n".join(text for file in sorted((root / "tests/static").glob("*.cpp")) for text in literals(file.read_text()))
+    for header in rule_headers(root):
+        for phrase in literals((root / header).read_text()):
+            if len(phrase.split()) > 2 and phrase.strip() not in compared:
+                yield f"{header}: no tells<> in tests/static expects `{phrase.strip()}`"
 
 
 def forgotten_strategies(root):
@@ -81,6 +98,7 @@ def problems(root):
             yield f"{header}: its one rule must have the id {header.stem.replace('_', '.', 1)}"
         elif ids[0] not in listed:
             yield f"{header}: its rule is not in the list of {LIST}"
+    yield from untold(root)
     yield from forgotten_strategies(root)
     if not known:
         yield "no rule found in the headers"

@@ -303,6 +303,12 @@ class Rules(Tree):
         self.write("tests/rejects/many_nodes/mistakes.cpp", "// EXPECT a: wire\\.direction: a\n// EXPECT b: wire\\.two_writers: b\n")
         self.assertEqual(rules.rules_of_graphs(self.root), ["wire.direction", "wire.two_writers"])
         self.assertEqual(list(rules.problems(self.root)), [])
+        sentence = 'm.say() << "leads back: "\n         "turn it round" << x << "twice";'
+        self.write("include/cca/graph/diagnosis/rules/wires/wire_direction.hpp", f'id = "wire.direction";\n{sentence}\n')
+        self.assertEqual([problem.partition(": ")[2] for problem in rules.problems(self.root)],
+                         ["no tells<> in tests/static expects `leads back: turn it round`"])
+        self.write("tests/static/rules_wires.cpp", 'tells<a, b>({"wire.direction", "a.y", "`a.y` leads "\n "back: turn it "\n  "round"})\n')
+        self.assertEqual(list(rules.problems(self.root)), [])
         header("wire_forgotten", "wire.forgotten")
         header("wire_direction", "wire.other")
         # One header is not in the list, one has another id than its name, and no header states wire.direction.

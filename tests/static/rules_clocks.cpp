@@ -1,8 +1,4 @@
 // Rules about time: what is told, and that the mended graph is sound.
-#include <string>
-#include <tuple>
-#include <utility>
-
 #include "rules_parts.hpp"
 
 namespace {
@@ -16,6 +12,15 @@ struct no_rate_mended
 static_assert(tells<no_rate, no_rate_mended>({"rate.missing", "no_rate",
                                               "neither no_rate nor any of its spaces states a rate, so a "
                                               "beat has no length: add cca::rate<1000> to the graph"}));
+
+template <auto Rate>
+struct as_fast_as : cca::graph<cca::rate<Rate>, cca::node<"a", source<>>> {};
+struct too_fast : as_fast_as<2'000'000'000> {};
+struct fastest : as_fast_as<1'000'000'000> {};
+static_assert(tells<too_fast, fastest>(
+    {"rate.missing", "too_fast",
+     "too_fast or one of its spaces states 2000000000 Hz, and a beat is at least a nanosecond long: state "
+     "at most 1,000,000,000 Hz"}));
 
 struct two_rates : khz<cca::rate<500>, cca::node<"a", source<>>> {};
 struct two_rates_mended : khz<cca::rate<1000>, cca::node<"a", source<>>> {};
@@ -139,6 +144,13 @@ static_assert(
     !cca::well_formed<merged_overflow<cca::timed<4>, cca::timed<2, 9>, 5>>);  // until it is first read
 static_assert(cca::well_formed<merged_overflow<cca::timed<4>, cca::timed<1, 8>, 8>>);
 
+static_assert(tells<merged_overflow<cca::timed<2>, cca::timed<2>, 16>,
+                    merged_overflow<cca::timed<4, 1>, cca::timed<1>, 16>>(
+    {"queue.overflow", "a.y -> b.x",
+     "`b.x` is read every 2 beats, but samples come from `a.y` (published every 2 beats) and from `c.y` "
+     "(published every 2 beats), so the queue of 16 is full sooner or later, which cca::reject forbids: "
+     "read faster, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
+
 // A delayed sample fills the queue when it arrives.
 template <int Room, int Delay>
 struct delayed_overflow : khz<cca::node<"a", source<>>,
@@ -160,94 +172,6 @@ static_assert(cca::well_formed<age_at_first<20, 10>> &&
               cca::diagnosis<age_at_first<20, 9>>.rule == "latency.exceeded");
 static_assert(cca::well_formed<age_at_first<4, 3>> &&
               cca::diagnosis<age_at_first<4, 2>>.rule == "latency.exceeded");
-
-struct deaf : khz<cca::node<"b", listener<>>> {};
-struct deaf_mended : khz<cca::node<"b", listener<>, cca::any_of<cca::restless, cca::timeout<9>>>> {};
-static_assert(tells<deaf, deaf_mended>({"strategy.never_fires", "b",
-                                        "`b` (listener<>) fires only when a sample arrives, but no input "
-                                        "that it waits for is wired: wire one, or make it cca::timed"}));
-
-struct deaf_trigger : khz<cca::node<"a", source<>>,
-                          cca::node<"b", listener<>, cca::port_triggered<"z">>,
-                          cca::wire<"a.y", "b.x">> {};
-struct deaf_trigger_mended
-    : khz<cca::node<"a", source<>>,
-          cca::node<"b", listener<>, cca::any_of<cca::port_triggered<"z">, cca::port_triggered<"x">>>,
-          cca::wire<"a.y", "b.x">> {};
-static_assert(tells<deaf_trigger, deaf_trigger_mended>(
-    {"strategy.never_fires", "b",
-     "`b` (listener<>) fires only when a sample arrives, but no input that it waits for is wired: wire one, "
-     "or make it cca::timed"}));
-
-struct exclusive : khz<cca::node<"a", source<>, cca::all_of<cca::timed<2>, cca::timed<4, 1>>>> {};
-struct exclusive_mended : khz<cca::node<"a", source<>, cca::all_of<cca::timed<2>, cca::timed<3, 1>>>> {};
-static_assert(
-    tells<exclusive, exclusive_mended>({"strategy.never_fires", "a",
-                                        "`a` (source<>) never fires: the clocks under its cca::all_of have "
-                                        "no beat in common; change a period or a phase"}));
-
-struct exclusive_within
-    : khz<cca::
-              node<"a", source<>, cca::any_of<cca::all_of<cca::timed<2>, cca::timed<2, 1>>, cca::timed<3>>>> {
-};
-struct exclusive_within_mended : khz<cca::node<"a", source<>, cca::any_of<cca::timed<2>, cca::timed<3>>>> {};
-static_assert(tells<exclusive_within, exclusive_within_mended>(
-    {"strategy.never_fires", "a",
-     "`a` (source<>) has all_of<timed<2>, timed<2, 1>> in its strategy, which never fires: its clocks have "
-     "no beat in common; change a period or a phase, or remove it"}));
-
-struct exclusive_and_waiting
-    : khz<cca::node<"a", source<>>,
-          cca::node<"b", sink<>, cca::all_of<cca::restless, cca::all_of<cca::timed<2>, cca::timed<4, 3>>>>,
-          cca::wire<"a.y", "b.x", cca::latest>> {};
-static_assert(cca::diagnosis<exclusive_and_waiting>.message ==
-              "strategy.never_fires: `b` (sink<>) has all_of<timed<2>, timed<4, 3>> in its strategy, which "
-              "never fires: its clocks have no beat in common; change a period or a phase, or remove it");
-
-// A user's strategies without add_name: the name of the type stands in the message.
-struct nameless {
-  template <class Inputs>
-  static constexpr bool fires(cca::beat, const Inputs&) {
-    return true;
-  }
-};
-struct mistaken : nameless {
-  static constexpr std::string_view mistake = "asks for a beat that never comes: ask for another";
-};
-struct never_satisfied : nameless {
-  static constexpr bool excludes_itself = true;
-};
-struct waiting_in_vain : nameless {
-  static constexpr bool waits_in_vain(const cca::detail::arrivals&) { return true; }
-};
-template <class Strategy>
-struct fired_by : khz<cca::node<"a", source<>, Strategy>> {};
-template <class Strategy>
-constexpr bool says(std::string_view end) {
-  const std::string_view whole = cca::diagnosis<fired_by<Strategy>>.message,
-                         begin = "strategy.never_fires: `a` (source<>) ";
-  return whole.starts_with(begin) && whole.substr(begin.size()) == end;
-}
-static_assert(cca::well_formed<fired_by<nameless>> &&
-              cca::well_formed<fired_by<cca::any_of<nameless, cca::timed<3>>>>);
-static_assert(says<mistaken>("asks for a beat that never comes: ask for another") &&
-              says<cca::any_of<nameless, mistaken>>("asks for a beat that never comes: ask for another"));
-static_assert(says<waiting_in_vain>(
-    "fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it "
-    "cca::timed"));
-static_assert(says<cca::all_of<nameless, cca::timed<2>, cca::timed<2, 1>>>(
-    "never fires: the clocks under its cca::all_of have no beat in common; change a period or a phase"));
-static_assert(says<cca::any_of<nameless, cca::all_of<cca::timed<2>, nameless, cca::timed<2, 1>>>>(
-    "has all_of<timed<2>, nameless, timed<2, 1>> in its strategy, which never fires: its clocks have no beat "
-    "in common; change a period or a phase, or remove it"));
-// No all_of is at fault here, and no clock.
-static_assert(
-    says<never_satisfied>("never fires: no beat can satisfy never_satisfied; choose another "
-                          "strategy"));
-static_assert(says<cca::any_of<cca::timed<3>, never_satisfied>>(
-    "has never_satisfied in its strategy, which no beat can satisfy: remove it"));
-static_assert(says<cca::all_of<cca::timed<3>, never_satisfied>>(
-    "has never_satisfied in its strategy, which no beat can satisfy: remove it"));
 
 struct loop
     : khz<cca::node<"a", step<>>, cca::node<"b", step<>>, cca::wire<"a.y", "b.x">, cca::wire<"b.y", "a.x">> {
@@ -308,6 +232,23 @@ static_assert(tells<backwards, backwards_mended>(
      "`a.y` -> `e.x` leads back within a beat, which is: every sense, then every component, then every act; "
      "say where it may be a beat late: cca::wire<`a.y`, `e.x`, cca::delayed<1>>"}));
 
+struct filter : cca::graph<cca::node<"a", step<>>,
+                           cca::node<"b", step<>>,
+                           cca::wire<"a.y", "b.x">,
+                           cca::expose<"a.x", "in">,
+                           cca::expose<"b.y", "out">> {};
+
+template <class... Delay>
+struct around_filter : khz<cca::node<"inner", filter>,
+                           cca::node<"outer", step<>>,
+                           cca::wire<"inner.out", "outer.x">,
+                           cca::wire<"outer.y", "inner.in", Delay...>> {};
+static_assert(tells<around_filter<>, around_filter<cca::delayed<1>>>(
+    {"graph.algebraic_loop", "outer.y -> inner.a.x",
+     "`inner.a.y` -> `inner.b.x`, `inner.b.y` -> `outer.x`, `outer.y` -> `inner.a.x` are a loop without "
+     "delay, so none of their components can come first; say where it may be a beat late: "
+     "cca::wire<`outer.y`, `inner.in`, cca::delayed<1>>"}));
+
 struct watcher {
   auto process(cca::observe<"a.*">) -> cca::out<"y", signal> { return {}; }
 };
@@ -323,22 +264,6 @@ static_assert(tells<observed_loop, observed_loop_mended>(
      "`o` observes `a.*`, and so `a.y`, which depends on what it publishes itself, so neither can come "
      "first; let it observe a beat later: cca::observe<`a.*`, cca::delayed<1>>"}));
 
-struct apart : khz<cca::node<"a", source<>, cca::timed<2, 0>>,
-                   cca::node<"c", source<>, cca::timed<2, 1>>,
-                   cca::node<"m", merge<>, cca::coordinated>,
-                   cca::wire<"a.y", "m.a">,
-                   cca::wire<"c.y", "m.b">> {};
-struct apart_mended : khz<cca::node<"a", source<>, cca::timed<2>>,
-                          cca::node<"c", source<>, cca::timed<4>>,
-                          cca::node<"m", merge<>, cca::coordinated>,
-                          cca::wire<"a.y", "m.a">,
-                          cca::wire<"c.y", "m.b">> {};
-static_assert(tells<apart, apart_mended>(
-    {"strategy.coordination", "m",
-     "`m` (merge<>) is cca::coordinated, but `m.a` (from `a.y`, every 2 beats) and `m.b` (from `c.y`, every "
-     "2 beats from beat 1) never hold samples of one time of origin, so it would never fire: feed them from "
-     "one source at one rate, with equal delays, or make it cca::moderate"}));
-
 struct old : khz<cca::node<"a", source<>>,
                  cca::node<"b", sink<>>,
                  cca::wire<"a.y", "b.x", cca::delayed<3>>,
@@ -351,6 +276,16 @@ static_assert(tells<old, old_mended>(
     {"latency.exceeded", "a.y -> b.x",
      "a sample of `a.y` can be 3 beats old when `b.x` is read, but old requires at most 2: shorten a delay "
      "or a queue on the way, or run the components on it more often"}));
+
+template <int Beats>
+struct old_by_one : khz<cca::node<"a", source<>>,
+                        cca::node<"b", sink<>>,
+                        cca::wire<"a.y", "b.x", cca::delayed<1>>,
+                        cca::require<cca::latency<"a.y", "b.x">, cca::beats<Beats>>> {};
+static_assert(tells<old_by_one<0>, old_by_one<1>>(
+    {"latency.exceeded", "a.y -> b.x",
+     "a sample of `a.y` can be 1 beat old when `b.x` is read, but old_by_one<0> requires at most 0: "
+     "shorten a delay or a queue on the way, or run the components on it more often"}));
 
 struct perhaps {
   auto process(cca::in<"x", signal>) -> cca::maybe<"y", signal> { return {}; }

@@ -59,6 +59,41 @@ static_assert(
                                  "these components would run twice: keep it in one of them, and name the "
                                  "nodes of the other"}));
 
+template <cca::fixed_string... Placed>
+struct logging : cca::deployment<khz<cca::node<"a", source<>>, cca::node<"log", chain>>,
+                                 some<"one", "a", "log.a">,
+                                 some<"two", Placed...>> {};
+static_assert(tells<logging<"log">, logging<"log.b", "log.c">>(
+    {"deployment.placed_twice", "log.a",
+     "`log.a` (source<>) runs in environment `one` and in environment `two`: a component runs in one "
+     "environment; remove it from one of the two (the path of an inner graph names all its components)"}));
+
+// ---- deployment.free_running ----
+
+template <class... Strategy>
+struct free_chain
+    : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, Strategy...>, cca::wire<"a.y", "b.x">> {};
+using in_step = some<"one", "a">;
+using without_step = cca::environment<"two", cca::other_nodes, cca::free_running>;
+struct free_and_full : cca::deployment<free_chain<cca::full_speed>, in_step, without_step> {};
+struct free_and_restless : cca::deployment<free_chain<>, in_step, without_step> {};
+static_assert(tells<free_and_restless, free_and_full>(
+    {"deployment.free_running", "b",
+     "`b` (sink<>) runs in environment `two`, whose cycles begin without pause, but its strategy is "
+     "restless: write cca::node<`b`, sink<>, cca::full_speed>, or place it in another environment"}));
+template <class Strategy>
+struct free_and_stoppable : cca::deployment<free_chain<cca::stoppable<Strategy>>, in_step, without_step> {};
+static_assert(tells<free_and_stoppable<cca::restless>, free_and_stoppable<cca::full_speed>>(
+    {"deployment.free_running", "b",
+     "`b` (sink<>) runs in environment `two`, whose cycles begin without pause, but its strategy is "
+     "restless: write cca::node<`b`, sink<>, cca::stoppable<cca::full_speed>>, or place it in another "
+     "environment"}));
+struct free_first : cca::deployment<free_chain<cca::full_speed>, without_step, in_step> {};
+static_assert(tells<free_first, free_and_full>(
+    {"deployment.free_running", "two",
+     "environment `two` is the first of free_first, which gives the beat, but a cca::free_running one has "
+     "none: put the environment of the robot before it"}));
+
 // ---- deployment.undelayed ----
 
 template <class... Options>
@@ -108,6 +143,24 @@ static_assert(tells<hears<>, hears<cca::delayed<2>>>(
      "so it takes at least a beat to get there: write cca::observe<`a.*`, cca::delayed<1>>, or a greater "
      "delay, or place both in one environment"}));
 
+// What waits in a queue is not sent: with a delay, an observer elsewhere hears what is taken from it.
+template <class... Policy>
+struct hearing_input {
+  void process(cca::observe<"a.x.**", Policy...>) {}
+};
+template <class... Policy>
+struct waiting : khz<cca::node<"s", source<>>,
+                     cca::node<"a", sink<>, cca::timed<1>>,
+                     cca::wire<"s.y", "a.x", cca::delayed<1>, cca::queue<4>>,
+                     cca::node<"b", hearing_input<Policy...>>> {};
+template <class... Policy>
+struct hears_waiting : cca::deployment<waiting<Policy...>, some<"one", "a">, rest<"two">> {};
+static_assert(tells<hears_waiting<>, hears_waiting<cca::delayed<1>>>(
+    {"deployment.undelayed", "b",
+     "`b` (hearing_input<>) observes `a.x.**`, and so the input `a.x` in environment `one`, but what "
+     "waits in its queue now is known only there: write cca::observe<`a.x.**`, cca::delayed<1>>, or a "
+     "greater delay, to hear what is taken from the queue, or place both in one environment"}));
+
 // `cca::observe` as an item of a graph is for `observed`, between two beats: it needs no delay.
 struct watched : cca::deployment<khz<cca::node<"a", source<>>, cca::node<"b", source<>>, cca::observe<"**">>,
                                  some<"one", "a">,
@@ -138,6 +191,31 @@ static_assert(tells<cut_outside<cca::latest>, cut_outside<cca::delayed<1>>>(
      "to "
      "get there: write cca::wire<`g.y`, `c.x`, cca::delayed<1>>, or a greater delay, or place both in one "
      "environment"}));
+
+// The wires inside a skeleton are not the user's: an option of it sets their policies.
+using pair_of_angles = cca::array_of<angles, 2>;
+template <class... Wires>
+struct crew : cca::farm<step<angles>, pair_of_angles, pair_of_angles, Wires...> {};
+struct undelayed_crew : crew<> {};
+struct delayed_crew : crew<cca::inner_wires<cca::delayed<1>>> {};
+template <class Crew>
+struct crossed_crew
+    : cca::deployment<
+          khz<cca::node<"a", source<pair_of_angles>>, cca::node<"f", Crew>, cca::wire<"a.y", "f.input">>,
+          rest<"one">,
+          some<"two", "f.worker1">> {};
+static_assert(tells<crossed_crew<undelayed_crew>, crossed_crew<delayed_crew>>(
+    {"deployment.undelayed", "f.split.part1 -> f.worker1.x",
+     "`f.split.part1` is published in environment `one` and read in environment `two`, so it takes at "
+     "least a beat to get there: add cca::inner_wires<cca::delayed<1>> to the arguments of the skeleton "
+     "`f` (undelayed_crew), or place its parts in one environment"}));
+struct undelayed_queues : crew<cca::inner_wires<cca::queue<2>>> {};
+struct delayed_queues : crew<cca::inner_wires<cca::delayed<1>, cca::queue<2>>> {};
+static_assert(tells<crossed_crew<undelayed_queues>, crossed_crew<delayed_queues>>(
+    {"deployment.undelayed", "f.split.part1 -> f.worker1.x",
+     "`f.split.part1` is published in environment `one` and read in environment `two`, so it takes at "
+     "least a beat to get there: add cca::delayed<1> to the cca::inner_wires<...> of the skeleton `f` "
+     "(undelayed_queues), or place its parts in one environment"}));
 
 // ---- deployment.bad_environment ----
 

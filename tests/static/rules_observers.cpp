@@ -78,6 +78,29 @@ static_assert(tells<misheard, watched>({"observe.nothing", "c.*",
                                         "these graphs on, as in `node.port`; `*` "
                                         "stands for one name, and `**` for any number of names"}));
 
+struct misheard_nearly : chain<cca::observe<"suorce.*">> {};
+static_assert(tells<misheard_nearly, watched>(
+    {"observe.nothing", "suorce.*",
+     "cca::observe<`suorce.*`> in misheard_nearly names nothing, neither in misheard_nearly nor in a "
+     "graph around it, so it would hear nothing; did you mean `source.*`?"}));
+
+static_assert(tells<hears<"/source/**">, hears<"/source.**">>(
+    {"observe.nothing", "log",
+     "`log` (log</source/**>) observes `/source/**`, which names nothing in hears</source/**>, the "
+     "outermost graph, so it would hear nothing: names are joined by dots, and a `/` may only be the "
+     "first letter, as in `/dmp.status.*`"}));
+
+// What observes inside of a component of the library names its source, too.
+template <cca::fixed_string Source>
+struct stale : cca::watchdog<signal, 5, cca::of<Source>> {};
+template <cca::fixed_string Source>
+struct guarded : chain<cca::node<"watchdog", stale<Source>>, cca::wire<"source.y", "watchdog.command">> {};
+static_assert(tells<guarded<"suorce.y">, guarded<"source.y">>(
+    {"observe.nothing", "watchdog.watch",
+     "`watchdog.watch` (source_watch<parts::signal, 5, suorce.y, 5>) observes `suorce.y`, which names "
+     "nothing in stale<suorce.y> or in a graph around it, so it would hear nothing; did you mean "
+     "`source.y`?"}));
+
 // A graph, or its scope, stands for all that is under it.
 struct in_chain : khz<cca::node<"inner", chain<>>, cca::node<"log", log<"inner.*">>> {};
 struct in_chain_mended : khz<cca::node<"inner", chain<>>, cca::node<"log", log<"inner.**">>> {};
@@ -97,12 +120,19 @@ static_assert(tells<at_outermost, at_outermost_mended>(
 using two = cca::queue<2, cca::drop_oldest>;
 static_assert(cca::well_formed<hears<"**", cca::latest>> && cca::well_formed<hears<"**", cca::delayed<3>>> &&
               cca::well_formed<hears<"**", two>>);
-static_assert(cca::diagnosis<hears<"**", cca::delayed<0>>>.rule == "observe.bad_policy");
+static_assert(tells<hears<"**", cca::delayed<0>>, hears<"**", cca::delayed<1>>>(
+    {"observe.bad_policy", "log",
+     "cca::observe<`**`> of `log` (log<**, cca::delayed<0>>) has two policies of one kind, or one with a "
+     "number below 1: write cca::latest, cca::delayed<N> or cca::queue<C, F>, each as on a wire"}));
 static_assert(tells<hears<"**", int>, hears<"**", cca::latest>>(
     {"observe.bad_policy", "log",
      "cca::observe<`**`> of `log` (log<**, int>) has `int`, which is no policy of an observer: write "
      "cca::latest, cca::delayed<N> or cca::queue<C, F>, each as on a wire"}));
-static_assert(cca::diagnosis<hears<"**", cca::initial<1>>>.rule == "observe.bad_policy");
+static_assert(tells<hears<"**", cca::initial<1>>, hears<"**", cca::latest>>(
+    {"observe.bad_policy", "log",
+     "cca::observe<`**`> of `log` (log<**, cca::initial<1>>) has an initial value, but what it hears may "
+     "be of several spaces, and begins with the zero of each: write cca::latest, cca::delayed<N> or "
+     "cca::queue<C, F>, each as on a wire"}));
 struct watched_late : chain<cca::observe<"**", cca::delayed<1>>> {};
 struct watched_merged : chain<cca::observe<"**", cca::merged<2>>> {};
 static_assert(tells<watched_merged, watched_late>(
@@ -158,6 +188,11 @@ static_assert(tells<led<plan<"raech.status">>, led<plan<"reach.status">>>(
      "`leader` (leader_of<plan<raech.status>>) asks for `raech.status`, which nobody publishes "
      "under what it observes (`*.status.*|*.status`), so it would wait for ever; did you mean "
      "`reach.status`?"}));
+static_assert(tells<led<plan<"elsewhere.value">>, led<plan<"reach.status">>>(
+    {"plan.unknown_path", "leader",
+     "`leader` (leader_of<plan<elsewhere.value>>) asks for `elsewhere.value`, which nobody publishes "
+     "under what it observes (`*.status.*|*.status`), so it would wait for ever: name one that is "
+     "published there, as in `node.port`, or let it observe more"}));
 static_assert(tells<led<plan_of_axis<1>>, led<plan_of_axis<0>>>(
     {"plan.unknown_path", "leader",
      "`leader` (leader_of<plan_of_axis<1>>) asks for number 1 of `reach.status`, which has 1 "

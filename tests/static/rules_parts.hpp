@@ -60,7 +60,7 @@ struct told {
   }
 };
 
-// The broken graph is told this, and the mended one is sound.
+// The broken graph, set of modes or deployment is told this, and the mended one is sound.
 template <class Broken, class Mended>
 constexpr bool tells(told what) {
   return what.by(cca::diagnosis<Broken>) && !cca::well_formed<Broken> && cca::well_formed<Mended> &&
