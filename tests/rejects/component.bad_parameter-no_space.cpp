@@ -2,6 +2,8 @@
 // A port states the space of its samples: a bare number has neither axes nor limits.
 #include "parts.hpp"
 
+// Refused by a static_assert of the port, before there is a graph.
+
 struct elbow_angle : cca::space<cca::joint_angles, cca::axes<knee>> {};
 
 struct halving {

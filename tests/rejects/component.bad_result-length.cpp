@@ -2,6 +2,8 @@
 // An output has one number for each axis of its space.
 #include "parts.hpp"
 
+// Refused by a static_assert of the port's constructor, without a graph.
+
 struct crouch {
   auto process(cca::in<"angles", leg_angles>) -> cca::out<"angles", leg_angles> {
 #if CCA_REJECT

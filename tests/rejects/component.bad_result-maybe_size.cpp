@@ -3,6 +3,8 @@
 // The same for an output that may stay empty.
 #include "parts.hpp"
 
+// Refused by a static_assert of the port's constructor, without a graph.
+
 struct standing {
   auto process(cca::beat) -> cca::maybe<"angles", leg_angles> {
 #if CCA_REJECT

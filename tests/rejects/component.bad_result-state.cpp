@@ -2,6 +2,8 @@
 // A status is the number of a state.
 #include "parts.hpp"
 
+// Refused by a static_assert of the port's constructor, without a graph.
+
 enum class mode { stand, walk };
 struct mode_status : cca::space<cca::status, cca::axes<cca::x>> {};
 

@@ -1,5 +1,5 @@
 // EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may return only ports \(cca::out, cca::maybe\), a cca::fault, a cca::done
-// `process` returns what it publishes: ports, or a fault.
+// `process` returns what it publishes: ports, or a fault. The outputs of a component have different names.
 #include "parts.hpp"
 
 struct balance {

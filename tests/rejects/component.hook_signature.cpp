@@ -1,5 +1,6 @@
 // EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_start` that would never be called, because it is not `void on_start\(\)`: make it a public
-// A hook with the right name and another signature would be ignored silently.
+// A hook with the right name and another signature would be ignored silently. It is called from outside, so
+// it is public, and nobody would read its result.
 #include "parts.hpp"
 
 struct balance {

@@ -1,16 +1,9 @@
 // EXPECT: deployment\.bad_environment: two environments of split are named `control`, so a message about one of them has two meanings: give one another name
-// A deployment is of an architecture, and consists of environments; each has a name of its own and at least
-// one component.
-#include <cca/deployment.hpp>
-
-#include "parts.hpp"
-
-struct walk : cca::graph<cca::rate<1000>,
-                         cca::node<"oscillator", oscillator>,
-                         cca::node<"gait", gait>,
-                         cca::node<"recorder", recorder>,
-                         cca::wire<"oscillator.phase", "gait.phase">,
-                         cca::wire<"gait.angles", "recorder.angles", cca::delayed<1>>> {};
+// A deployment is of an architecture, and consists of environments. Each has a name of its own, which is no
+// path, at least one component, and one cca::nodes<...> with the paths of all its nodes, or cca::other_nodes.
+// Beside them stands at most one cca::tolerate<N>: how many beats in a row a sample may come late. A
+// deployment is neither deployed again nor a node of a graph; its architecture can be both.
+#include "two_places.hpp"
 
 struct split : cca::deployment<walk,
 #if CCA_REJECT

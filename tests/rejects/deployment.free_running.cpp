@@ -1,6 +1,6 @@
 // EXPECT: deployment\.free_running: `recorder` \(recorder\) runs in environment `log`, whose cycles begin without pause, but its strategy is restless: write cca::node<`recorder`, recorder, cca::full_speed>, or place it in another environment
-// The cycles of a free-running environment begin without pause, so its components are full_speed: they fire
-// in each cycle.
+// The cycles of a free-running environment begin without pause, so its components are full_speed, in each
+// mode: they fire in each cycle. It is not the first environment, which gives the beat to the others.
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"

@@ -1,16 +1,7 @@
 // EXPECT: deployment\.no_transport: the second argument of cca::deployed is no transport
 // What `open` returns is a medium: it is derived from `cca::peers`, and `exchanged()` points to a
 // `cca::exchange<D>`.
-#include <cca/deployment.hpp>
-
-#include "parts.hpp"
-
-struct walk : cca::graph<cca::rate<1000>,
-                         cca::node<"oscillator", oscillator>,
-                         cca::node<"gait", gait>,
-                         cca::node<"recorder", recorder>,
-                         cca::wire<"oscillator.phase", "gait.phase">,
-                         cca::wire<"gait.angles", "recorder.angles", cca::delayed<1>>> {};
+#include "two_places.hpp"
 
 struct split : cca::deployment<walk,
                                cca::environment<"control", cca::nodes<"oscillator", "gait">>,

@@ -1,16 +1,7 @@
 // EXPECT: deployment\.no_transport: the second argument of cca::deployed is no transport: write cca::shared_memory\(\\?"/name\\?"\), cca::dds::domain\(number\), or an object that meets the concept cca::Transport \(docs/transports\.md: An own transport\)
 // Where other processes run environments, `cca::deployed` needs a transport to reach them. A name or a number
 // is none.
-#include <cca/deployment.hpp>
-
-#include "parts.hpp"
-
-struct walk : cca::graph<cca::rate<1000>,
-                         cca::node<"oscillator", oscillator>,
-                         cca::node<"gait", gait>,
-                         cca::node<"recorder", recorder>,
-                         cca::wire<"oscillator.phase", "gait.phase">,
-                         cca::wire<"gait.angles", "recorder.angles", cca::delayed<1>>> {};
+#include "two_places.hpp"
 
 struct split : cca::deployment<walk,
                                cca::environment<"control", cca::nodes<"oscillator", "gait">>,

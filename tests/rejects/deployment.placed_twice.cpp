@@ -1,15 +1,8 @@
 // EXPECT: deployment\.placed_twice: `gait` \(gait\) runs in environment `control` and in environment `log`: a component runs in one environment; remove it from one of the two
-// A component runs in one environment: two would have two copies of it, each with a state of its own.
-#include <cca/deployment.hpp>
-
-#include "parts.hpp"
-
-struct walk : cca::graph<cca::rate<1000>,
-                         cca::node<"oscillator", oscillator>,
-                         cca::node<"gait", gait>,
-                         cca::node<"recorder", recorder>,
-                         cca::wire<"oscillator.phase", "gait.phase">,
-                         cca::wire<"gait.angles", "recorder.angles", cca::delayed<1>>> {};
+// A component runs in one environment, the same in all modes: two would have two copies of it, each with a
+// state of its own. The path of an inner graph names all its components. The nodes that no environment names
+// run in one, too.
+#include "two_places.hpp"
 
 struct split : cca::deployment<walk,
                                cca::environment<"control", cca::nodes<"oscillator", "gait">>,

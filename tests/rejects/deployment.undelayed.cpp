@@ -1,6 +1,9 @@
 // EXPECT: deployment\.undelayed: `gait\.angles` is published in environment `control` and read in environment `log`, so it takes at least a beat to get there: write cca::wire<`gait\.angles`, `recorder\.angles`, cca::delayed<1>>, or a greater delay
-// A wire from one environment to another is delayed: these beats are the time to compute and to transport.
-// Then a sample is in time wherever its reader runs, and the results are those of one loop.
+// A wire from one environment to another is delayed, inside of an inner graph and in each mode, too: these
+// beats are the time to compute and to transport. Then a sample is in time wherever its reader runs, and the
+// results are those of one loop. What a component observes elsewhere is delayed likewise. A queue is delayed,
+// too: its samples enter it when they arrive, and what waits in it is not sent. An option of a skeleton sets
+// the policies of the wires inside of it.
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"

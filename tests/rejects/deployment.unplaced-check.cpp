@@ -5,6 +5,8 @@
 
 #include "parts.hpp"
 
+// A diagnosis does not tell how often the compiler says it.
+
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"stance", stance>,
                          cca::node<"comparison", recorder>,

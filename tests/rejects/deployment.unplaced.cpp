@@ -1,15 +1,6 @@
 // EXPECT: deployment\.unplaced: `recorder` \(recorder\) runs in no environment of split: add its path to the cca::nodes<\.\.\.> of this environment, or give one cca::other_nodes
-// Each component has an environment, in which it runs.
-#include <cca/deployment.hpp>
-
-#include "parts.hpp"
-
-struct walk : cca::graph<cca::rate<1000>,
-                         cca::node<"oscillator", oscillator>,
-                         cca::node<"gait", gait>,
-                         cca::node<"recorder", recorder>,
-                         cca::wire<"oscillator.phase", "gait.phase">,
-                         cca::wire<"gait.angles", "recorder.angles", cca::delayed<1>>> {};
+// Each component, of each mode, has an environment, in which it runs.
+#include "two_places.hpp"
 
 struct split : cca::deployment<walk,
 #if CCA_REJECT

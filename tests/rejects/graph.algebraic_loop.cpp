@@ -1,5 +1,6 @@
 // EXPECT: graph\.algebraic_loop: `wish\.angles` -> `reality\.angles`, `reality\.angles` -> `wish\.angles` are a loop without delay, so none of their components can
-// In a loop of wires without delay no component can come first.
+// In a loop of wires without delay no component can come first. The message shows the whole loop, through
+// inner graphs too. What a robot senses in a beat cannot depend on what is computed in that beat.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -3,6 +3,9 @@
 // Items are separated by commas. Here the compiler's own error comes first, at the line of the wire.
 #include "parts.hpp"
 
+// A type that is not there after the compiler's own error: no diagnosis sees this mistake, only the order of
+// errors.
+
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"log", logbook>,
                          cca::node<"cpg", oscillator>,

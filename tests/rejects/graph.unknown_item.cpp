@@ -1,5 +1,6 @@
 // EXPECT: graph\.unknown_item: `gait` in walk is no item of a graph, so it would be ignored: write cca::node<`name`, type> for a component or graph; the
-// A graph consists of known items; any other type would be ignored.
+// A graph consists of known items, each written in full; any other type would be ignored. A controller and a
+// deployment take a graph, even if it has only one component.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

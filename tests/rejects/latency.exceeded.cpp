@@ -1,5 +1,6 @@
 // EXPECT: latency\.exceeded: a sample of `leg\.angles` can be 3 beats old when `leg\.command` is read, but walk requires at most 2: shorten a delay or a queue on
-// A graph can require that a sample is not too old when it is read.
+// A graph can require that a sample is not too old when it is read. Without a known clock on the way no age
+// can be promised.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,7 @@
 // EXPECT: learner\.request: `lesson\.learn` may request of `ik\.learn` what is not possible there: `learn` needs a learner that learns online, and this one learns in batches only: request `collect`, and then `batch`
-// An extreme learning machine learns in batches only, and this component says which requests it publishes.
+// An extreme learning machine learns in batches only, and this component says which requests it publishes. A
+// learner without batches learns online only. A component that requests something of an adaptive component's
+// learner is wired to the adaptive component.
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/adaptive/learning/timed_requests.hpp>
 #include <cca/mapping/adaptive_mapping.hpp>

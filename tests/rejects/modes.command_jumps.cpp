@@ -1,6 +1,6 @@
 // EXPECT: modes\.command_jumps: `leg\.command` gets its commands from `limits\.safe` in mode `walk` but from `other_limits\.safe` in mode `rest`, so at a switch they could jump: put one cca::limiter in front of it that both modes have, of the same path and type
-// Every command to an actuator comes from the same limiter in all modes: it goes on from its last command, so
-// no command jumps at a switch.
+// Every command to an actuator comes from the same limiter by the same kind of wire in all modes: the limiter
+// goes on from its last command, so no command jumps at a switch.
 #include <cca/modes.hpp>
 
 #include "parts.hpp"

@@ -5,6 +5,8 @@
 
 #include "parts.hpp"
 
+// A diagnosis does not tell how often the compiler says it.
+
 struct standing : cca::graph<cca::rate<1000>, cca::node<"stance", stance>, cca::node<"log", logbook>> {};
 #if CCA_REJECT
 struct walking : cca::graph<cca::rate<500>, cca::node<"stance", stance>, cca::node<"log", logbook>> {};

@@ -1,6 +1,6 @@
 // EXPECT: modes\.two_types: `move` is oscillator in mode `walk` but stance in mode `rest`: modes share what is at a path, its state and its parameters, so give one of them another name
 // A path names the same component in every mode that has it: modes share its state, and a file has its
-// parameters once.
+// parameters once. All modes of a set run on the same robot.
 #include <cca/modes.hpp>
 
 #include "parts.hpp"

@@ -4,6 +4,8 @@
 
 #include "parts.hpp"
 
+// Refused by a static_assert of the controller's function; the graphs are sound.
+
 struct walk : cca::graph<cca::rate<1000>, cca::node<"oscillator", oscillator>, cca::node<"log", logbook>> {};
 struct rest : cca::graph<cca::rate<1000>, cca::node<"stance", stance>, cca::node<"log", logbook>> {};
 

@@ -1,5 +1,6 @@
 // EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but dots join names to paths, and `\*` stands for any name: use neither in a name
-// Dots join names to paths.
+// Dots join names to paths. So nodes, ports, and the names under which a graph exposes ports have none, and
+// none of these names is empty.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

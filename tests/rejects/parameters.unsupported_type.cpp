@@ -1,5 +1,6 @@
 // EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `model` is a `std::string`, which no file can hold: use a number, bool, enum class,
-// A file can hold every parameter.
+// A file can hold every parameter, and knows each by its name: name the fields of a struct within the
+// parameters, too. A member `parameters p` holds them.
 #include <string>
 
 #include "parts.hpp"

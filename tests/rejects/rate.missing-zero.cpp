@@ -2,6 +2,8 @@
 // A rate is above 0.
 #include "parts.hpp"
 
+// Refused by a static_assert of cca::rate, before there is a graph.
+
 struct walk : cca::graph<cca::node<"log", logbook>,
 #if CCA_REJECT
                          cca::rate<0>,

@@ -1,28 +1,13 @@
 // EXPECT: robot\.description: this robot floats, but the base of its body has no mass
 // A base that nothing holds moves by the forces on it.
-#include <cca/robots/description.hpp>
+#include "pendulum.hpp"
 
-struct mount : cca::frame<"mount"> {};
-struct hand : cca::frame<"hand"> {};
-struct swing : cca::dimension<"swing"> {
-  static constexpr auto limits = cca::limits{cca::angle{-3, 3}, cca::velocity{-2, 2}, cca::torque{-9, 9}};
-};
-
-struct arm_chain : cca::serial_chain<mount, hand, cca::axes<swing>> {
-  static constexpr std::array joints{cca::revolute(cca::along_y)};
-  static constexpr auto tip = cca::at(0.3, 0, 0);
-  static constexpr std::array links{cca::link_inertia{1, {0.1, 0, 0}, {0.01, 0.01, 0.01, 0, 0, 0}}};
-};
-
-struct pendulum {
-  struct body : cca::body<mount, cca::part<"arm", arm_chain>> {
+struct pendulum : described<> {
+  struct body : cca::body<mount, cca::part<"arm", chain_of_one>> {
 #if !CCA_REJECT
     static constexpr cca::link_inertia base{5, {0, 0, 0}, {0.1, 0.1, 0.1, 0, 0, 0}};
 #endif
   };
-  using rate = cca::rate<1000>;
-  using commands = cca::robots::commands<cca::robots::torque_command>;
-  static constexpr std::array<cca::robots::joint_drive, 1> drives{};
   static constexpr bool floats = true;
 };
 

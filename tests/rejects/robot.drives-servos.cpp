@@ -1,15 +1,6 @@
 // EXPECT: robot\.drives: an axis of this robot has no drive, and no servo of its board moves it
 // The board of an Oncilla moves its abductions; here the right hind knee has no drive, and a hip has two.
-#include <cca/hardware/memory_bus.hpp>
-#include <cca/hardware/mit.hpp>
-#include <cca/hardware/oncilla.hpp>
-
-namespace hw = cca::hardware;
-namespace sim = cca::sim;
-
-template <class Axis, std::uint32_t Number, std::size_t Bus>
-using joint =
-    hw::joint<Axis, hw::mit_drive<hw::ak60_6, Number>, hw::mounting{}, hw::joint_servo{.stiffness = 30}, Bus>;
+#include "oncilla.hpp"
 
 struct a : joint<sim::left_front_hip, 1, 0> {};
 struct b : joint<sim::right_front_hip, 2, 2> {};
@@ -23,6 +14,5 @@ struct h : joint<sim::right_hind_hip, 8, 3> {};
 #else
 struct h : joint<sim::right_hind_knee, 8, 3> {};
 #endif
-struct board : hw::sensor_board<0x40, 4> {};
 
 struct robot : hw::oncilla<hw::memory_bus<>::end_type, a, b, c, d, e, f, g, h, board> {};

@@ -1,5 +1,6 @@
 // EXPECT: robot\.unlimited_command: `stance\.angles` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<leg_angles> between them
-// Every command passes a limiter before it reaches an actuator.
+// Every command passes a limiter before it reaches an actuator. A component after the limiter may undo the
+// limits. They also hold for the cca::initial of each wire from the limiter on.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -2,6 +2,8 @@
 // However the controller is used, only the graph's mistake is reported.
 #include "parts.hpp"
 
+// A diagnosis does not tell what else the compiler reports.
+
 struct legs : cca::graph<cca::node<"cpg", oscillator>,
                          cca::node<"gait", gait>,
                          cca::wire<"cpg.phase", "gait.phase">,
@@ -22,7 +24,7 @@ struct drive {
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"legs", legs>,
                          cca::node<"drive", drive>,
-                         cca::wire<"legs.angles", "drive.torques">> {};
+                         cca::wire<"legs.angles", "drive.torques", cca::queue<4>>> {};
 
 double walked(cca::controller<walk>& c) {
   c.load();
@@ -38,5 +40,6 @@ double walked(cca::controller<walk>& c) {
   (void)c.get<"legs">().get<"gait">();
   while (c.step() && c.fault_path().empty() && !c.fault() && c.state() != cca::state::faulted) {}
   c = snapshot;
+  (void)(c.dropped() + c.dropped<"drive.torques">() + c.dropped("drive.torques"));
   return c.get<"drive">().p.gain * static_cast<double>(c.beat_index() * cca::controller<walk>::period());
 }

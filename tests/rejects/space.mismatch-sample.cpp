@@ -3,6 +3,8 @@
 // An output takes samples of its own space only.
 #include "parts.hpp"
 
+// Refused by a static_assert of the port's constructor, without a graph.
+
 struct spring {
   auto process(cca::in<"torques", leg_torques> torques) -> cca::out<"angles", leg_angles> {
 #if CCA_REJECT

@@ -1,6 +1,8 @@
 // EXPECT: space\.mismatch: `limits\.safe` publishes leg_angles \(joint_angles over hip, knee at 1000 Hz\) but `leg\.command` expects foot_angles \(joint_angles over
-// A wire joins two ports of one space: domain type, axes in their order, rate. The README quotes this
-// message.
+// A wire joins two ports of one space: domain type with its frame, axes in their order, rate. Angles are no
+// torques, although both are two numbers. A rate that only one end states does not count. A guard on the
+// wrong side of an emergency stop breaks this rule too: before it a set point carries the rule that it
+// breaks, after it what the drive may do. The README quotes this message.
 #include <cca/cca.hpp>
 
 struct hip : cca::dimension<"hip"> {

@@ -4,6 +4,8 @@
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/mit.hpp>
 
+// Refused by a static_assert of the joint, without a graph.
+
 struct knee : cca::dimension<"knee"> {
 #if CCA_REJECT
   static constexpr auto limits = cca::limits{cca::angle{-1, 2}};

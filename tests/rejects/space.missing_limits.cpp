@@ -1,5 +1,6 @@
 // EXPECT: space\.missing_limits: `limits\.command` takes commands of toe_angle, but its axis `toe` states no limits of angle to keep them within: add `static
-// Commands to an actuator are kept within limits, and the axes state these.
+// Commands to an actuator are kept within limits, and the axes state these. The angle of a continuous axis
+// has no limits of its own: a command along it is bounded by its velocity.
 #include "parts.hpp"
 
 #if CCA_REJECT

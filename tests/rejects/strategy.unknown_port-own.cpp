@@ -2,6 +2,8 @@
 // A strategy of your own reads inputs that the component has.
 #include "parts.hpp"
 
+// Refused by a static_assert where the strategy asks; `fires` is code, into which no diagnosis looks.
+
 struct when_far {
   template <class Inputs>
   static bool fires(cca::beat, const Inputs& inputs) {

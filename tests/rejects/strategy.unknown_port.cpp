@@ -1,5 +1,5 @@
 // EXPECT: strategy\.unknown_port: `gait` \(gait\) is cca::port_triggered by `phsae`, but it has no such input; did you mean `phase`\?
-// A strategy that waits for inputs names inputs of its component.
+// A strategy that waits for inputs names inputs of its component, also within another strategy.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,6 @@
 // EXPECT: wire\.bad_initial: cca::initial of the wire `stance\.angles` -> `recorder\.angles` gives 3 numbers, but `recorder\.angles` has 2: give one for each, or
-// An initial value has a number for each coordinate, or one for all.
+// An initial value has a number for each coordinate, or one for all. An input has one initial value, however
+// many wires are merged there.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,6 @@
 // EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has the option `timed<10>`, which is no option of a wire: it may have a policy \(cca::latest,
-// A wire has a policy and an initial value, and nothing else.
+// A wire has one policy and one initial value, and nothing else. A queue states what it loses when it is
+// full.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

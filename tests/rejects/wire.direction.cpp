@@ -1,5 +1,6 @@
 // EXPECT: wire\.direction: a wire leads from an output to an input, but in `gait\.phase` -> `cpg\.phase` in walk `gait\.phase` is an input and `cpg\.phase` an
-// A wire leads from an output to an input.
+// A wire leads from an output to an input. Two inputs cannot be joined: wire the output that feeds one of
+// them to the other too.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

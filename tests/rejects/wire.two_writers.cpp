@@ -1,5 +1,7 @@
 // EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` and by `swing\.angles`, but an input has one writer: put an arbiter in front, cca::arbiter<`angles`, leg_angles, cca::by_priority<`first`, `second`>>, and wire each to an input of it
-// An input has one writer; an arbiter decides which of two is read.
+// An input has one writer; an arbiter decides which of two is read. Wires that are merged at an input lead
+// into one queue, so they state the same one. An input that an inner graph exposes is wired inside or
+// outside, not both.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -3,6 +3,8 @@
 // cca::check says it where the graph is written; the controller does not repeat it.
 #include "parts.hpp"
 
+// A diagnosis does not tell how often the compiler says it.
+
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"stance", stance>,
                          cca::node<"limits", cca::limiter<leg_angles>>,

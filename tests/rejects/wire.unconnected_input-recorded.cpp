@@ -1,12 +1,15 @@
 // EXPECT: wire\.unconnected_input: `gait\.phase` is not connected: in walk
+// LINES: 20
 // The same where a recorder, a tracer and a live_access are made from the controller: they say nothing of
-// their own. LINES: 20
+// their own.
 #include <cca/deployment.hpp>
 #include <cca/record.hpp>
 #include <cca/runtime/live/live_access.hpp>
 #include <cca/trace.hpp>
 
 #include "parts.hpp"
+
+// A diagnosis does not tell what else the compiler reports.
 
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"oscillator", oscillator>,

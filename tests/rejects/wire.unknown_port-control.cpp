@@ -6,6 +6,8 @@
 
 #include "parts.hpp"
 
+// Refused by a static_assert of the adaptive component, before there is a graph.
+
 using go = cca::over<cca::amplitude, cca::go_axis>;
 struct slower {
   auto process(cca::in<"input", go> x) -> cca::out<"output", go> { return 0.5 * x.vector(); }

@@ -2,6 +2,8 @@
 // Who asks what a queue has lost names an input.
 #include "parts.hpp"
 
+// Refused by a static_assert of the controller's function; the graph is sound.
+
 struct walk : cca::graph<cca::rate<1000>,
                          cca::node<"stance", stance>,
                          cca::node<"recorder", recorder, cca::timed<2>>,
