@@ -1,4 +1,4 @@
-// An arm of two joints, and the spaces of its joints.
+// The chain of an arm of two joints, and the spaces in which these are measured.
 #pragma once
 
 #include <cca/robot/body_components.hpp>
@@ -19,8 +19,6 @@ struct chain : cca::serial_chain<mount, hand, cca::axes<shoulder, elbow>> {
   static constexpr std::array links{cca::link_inertia{1, {0.1, 0, 0}, {0.01, 0.01, 0.01, 0, 0, 0}},
                                     cca::link_inertia{1, {0.1, 0, 0}, {0.01, 0.01, 0.01, 0, 0, 0}}};
 };
-struct arm_body : cca::body<mount, cca::part<"arm", chain, cca::driven_by<"shoulder", "elbow">>> {};
 
 struct angles : cca::space<cca::joint_angles, cca::axes<shoulder, elbow>> {};
 struct velocities : cca::space<cca::joint_velocities, cca::axes<shoulder, elbow>> {};
-struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow>> {};

@@ -7,6 +7,8 @@
 
 #include "arm.hpp"
 
+struct arm_body : cca::body<mount, cca::part<"arm", chain, cca::driven_by<"shoulder", "elbow">>> {};
+
 struct described_arm {
   using body = arm_body;
   using rate = cca::rate<1000>;

@@ -6,11 +6,14 @@
 
 struct table : cca::frame<"table"> {};
 
+struct arm : cca::body<mount, cca::part<"arm", chain>> {};
+struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow>> {};
+
 #if CCA_REJECT
 using along = table;
 #else
 using along = hand;
 #endif
-using impedance = cca::cartesian_impedance<arm_body, "arm", angles, velocities, torques, along>;
+using impedance = cca::cartesian_impedance<arm, "arm", angles, velocities, torques, along>;
 
 impedance::vector_6 none;

@@ -4,10 +4,13 @@
 
 // Refused by a static_assert of the component, without a graph.
 
+struct arm : cca::body<mount, cca::part<"arm", chain>> {};
+struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow>> {};
+
 #if CCA_REJECT
 struct measured : cca::space<cca::joint_angles, cca::axes<elbow>> {};
 #else
 struct measured : cca::space<cca::joint_angles, cca::axes<elbow, shoulder>> {};
 #endif
 
-cca::gravity_compensation<arm_body, measured, torques> gravity;
+cca::gravity_compensation<arm, measured, torques> gravity;

@@ -4,8 +4,11 @@
 
 // Refused by a static_assert of the component, without a graph.
 
+struct arm : cca::body<mount, cca::part<"arm", chain>> {};
+struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow>> {};
+
 #if CCA_REJECT
-cca::gravity_compensation<arm_body, velocities, torques> gravity;
+cca::gravity_compensation<arm, velocities, torques> gravity;
 #else
-cca::gravity_compensation<arm_body, angles, torques> gravity;
+cca::gravity_compensation<arm, angles, torques> gravity;
 #endif

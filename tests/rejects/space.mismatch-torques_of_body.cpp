@@ -4,11 +4,12 @@
 
 // Refused by a static_assert of the component, without a graph.
 
+struct arm : cca::body<mount, cca::part<"arm", chain>> {};
 struct gripper : cca::dimension<"gripper"> {};
 #if CCA_REJECT
-struct wanted : cca::space<cca::joint_torques, cca::axes<shoulder, elbow, gripper>> {};
+struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow, gripper>> {};
 #else
-struct wanted : cca::space<cca::joint_torques, cca::axes<elbow, shoulder>> {};
+struct torques : cca::space<cca::joint_torques, cca::axes<elbow, shoulder>> {};
 #endif
 
-cca::gravity_compensation<arm_body, angles, wanted> gravity;
+cca::gravity_compensation<arm, angles, torques> gravity;
