@@ -5,6 +5,7 @@
 #include <cca/base/compiler.hpp>
 
 // These come first: if they refuse something, the compilers list every file that is already open.
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/component/port.hpp>
 

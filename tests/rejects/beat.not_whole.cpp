@@ -1,4 +1,4 @@
-// EXPECT: beat\.not_whole: a beat is made of whole numbers: its index, its period in nanoseconds and the number of beats since the component last fired
+// EXPECT: beat\.not_whole: the third number of this beat is no whole number: a beat is made of its index, its period in nanoseconds and the number of beats since the component last fired
 // A test that calls a component itself makes the beat: the third number counts beats, it is not a time.
 #include "parts.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: body\.duplicate: two parts of this body have the same name
+// EXPECT: body\.duplicate: two parts of this body are named `arm`, by which kinematics and descriptions find them
 // Kinematics, springs and sensors find a part by its name.
 #include <cca/robot/body.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: body\.duplicate: two parts of this body share an axis; give each part axes of its own
+// EXPECT: body\.duplicate: the parts `[a-z_ ]+` and `forearm` of this body share the axis turn; give each part axes of its own
 // The coordinates of a body are the axes of its parts: an axis that two parts have would be two coordinates
 // of one name.
 #include <cca/robot/body.hpp>

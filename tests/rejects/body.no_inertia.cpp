@@ -1,4 +1,4 @@
-// EXPECT: body\.no_inertia: no link of this body has a mass, so it has no dynamics, only kinematics
+// EXPECT: body\.no_inertia: no link of the body robot has a mass, so it has no dynamics, only kinematics
 // Kinematics and drives need no inertia, but the torques of gravity do.
 #include <cca/robot/body_components.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: body\.unattached: a part of this body is driven by a resource node that the graph doesn't have
+// EXPECT: body\.unattached: the part `[a-z_]+` of this body is driven by the resource node `left_leg`, which walk lacks
 // The body names the resource nodes that move its parts; the graph must have them.
 #include <cca/robot/body.hpp>
 

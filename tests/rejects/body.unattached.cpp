@@ -1,4 +1,4 @@
-// EXPECT: body\.unattached: a part of this body hangs on nothing
+// EXPECT: body\.unattached: the part `thumb` hangs on nothing: its chain begins in the frame hand, which is neither the base of the body, trunk, nor the end of another part
 // This finger lacks the arm that leads to its hand.
 #include <cca/robot/body_components.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: body\.unknown_axis: a joint of this body is driven by a coordinate for which its chain has no axis
+// EXPECT: body\.unknown_axis: joint 1 of the part `[a-z_]+` is driven by coordinate 1, and its chain has 1 axis \([a-z_]+\), counted from 0
 // Two joints of a leg turn with one motor. Coordinates count from 0, so with one axis there is no
 // coordinate 1.
 #include <cca/robot/body_pose.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: body\.unknown_axis: a joint of this body follows an axis that no part of the body has
+// EXPECT: body\.unknown_axis: joint 0 of the part `right finger` follows the axis `finger` \(`driven_by`\), which no part of the body has: it has `left_finger`
 // The right finger moves with the left one, whose axis is called left_finger.
 #include <cca/robot/body_pose.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: body\.unknown_part: this body has no part with that name, so nothing ends there
+// EXPECT: body\.unknown_part: the body robot has no part `hand` \(the name in cca::part<name, chain>\): it has `arm`
 // A Cartesian impedance holds the end of a part, which it takes by the name of the part.
 #include <cca/robot/compliance/compliance_spaces.hpp>
 

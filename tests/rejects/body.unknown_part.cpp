@@ -1,4 +1,4 @@
-// EXPECT: body\.unknown_part: this body has no part with that name
+// EXPECT: body\.unknown_part: the body robot has no part `hand` \(the name in cca::part<name, chain>\): it has `arm`
 // The name in `tip` and `jacobian` is that of a part, not that of the frame in which it ends.
 #include <cca/robot/body_pose.hpp>
 

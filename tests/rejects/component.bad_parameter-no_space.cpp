@@ -1,4 +1,4 @@
-// EXPECT: component\.bad_parameter: a port is of a space, and this type is none: make one of it, as in `struct leg_angles : cca::space<
+// EXPECT: component\.bad_parameter: a port is of a space, and `double` is none: make one of it, as in `struct leg_angles : cca::space<
 // A port states the space of its samples: a bare number has neither axes nor limits.
 #include "parts.hpp"
 

@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_result: this vector has another number of coordinates than the space of the port has: give one number for each axis
-// LINES: 15
+// EXPECT: component\.bad_result: the port `angles` is made from a vector of 3, and a sample of leg_angles \(joint_angles over hip, knee\) has 2 coordinates: give one number for each axis
+// LINES: 18
 // The same for an output that may stay empty.
 #include "parts.hpp"
 

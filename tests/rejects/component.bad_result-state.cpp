@@ -1,4 +1,4 @@
-// EXPECT: component\.bad_result: an output holds numbers, and this is an enumerator: write `cca::status_of\(\.\.\.\)` around it
+// EXPECT: component\.bad_result: the output `mode` holds numbers, and `mode` is an enumeration: write `cca::status_of\(\.\.\.\)` around its value
 // A status is the number of a state.
 #include "parts.hpp"
 

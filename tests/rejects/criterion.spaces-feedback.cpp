@@ -1,4 +1,4 @@
-// EXPECT: criterion\.spaces: .* to which its feedback_through<\.\.\.> maps
+// EXPECT: criterion\.spaces: the criterion of this adaptive component measures in leg_angles \(.*\), but its feedback_through<\.\.\.> maps to leg_torques \(.*\): the domain types differ
 // The criterion measures joint angles, but the mapping of the feedback returns torques.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: criterion\.spaces: the criterion of this adaptive component measures in another space
+// EXPECT: criterion\.spaces: the criterion of this adaptive component measures in paw \(.*\), but the target of its module is in leg_angles \(.*\): the domain types differ
 // The module commands joint angles, but the criterion measures a paw.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>

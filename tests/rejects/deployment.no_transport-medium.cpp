@@ -1,4 +1,4 @@
-// EXPECT: deployment\.no_transport: the second argument of cca::deployed is no transport
+// EXPECT: deployment\.no_transport: the second argument of cca::deployed<[a-zA-Z]+>, `[a-z_]+`, is no transport
 // What `open` returns is a medium: it is derived from `cca::peers`, and `exchanged()` points to a
 // `cca::exchange<D>`.
 #include "two_places.hpp"

@@ -1,4 +1,4 @@
-// EXPECT: deployment\.no_transport: the second argument of cca::deployed is no transport: write cca::shared_memory
+// EXPECT: deployment\.no_transport: the second argument of cca::deployed<split> is missing: write cca::shared_memory
 // Where a process runs some of the environments, it says how it reaches the others.
 #include "two_places.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: deployment\.no_transport: the second argument of cca::deployed is no transport: write cca::shared_memory\(\\?"/name\\?"\), cca::dds::domain\(number\), or an object that meets the concept cca::Transport \(docs/transports\.md: An own transport\)
+// EXPECT: deployment\.no_transport: the second argument of cca::deployed<split>, `char ?\[6\]`, is no transport: write cca::shared_memory\(`/name`\), cca::dds::domain\(number\), or an object that meets the concept cca::Transport \(docs/transports\.md: An own transport\)
 // Where other processes run environments, `cca::deployed` needs a transport to reach them. A name or a number
 // is none.
 #include "two_places.hpp"

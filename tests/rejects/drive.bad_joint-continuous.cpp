@@ -1,4 +1,4 @@
-// EXPECT: drive\.bad_joint: the axis of this joint is continuous, but the position of its drive ends after a few turns
+// EXPECT: drive\.bad_joint: the axis `wheel` of this joint is continuous, but the position of its drive, AK80-9, ends after 3\.979 turns of the joint
 // A drive that stays at the end of its range would no longer measure where a wheel is.
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/mit.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: drive\.bad_joint: `safe_damping` of this joint's servo, with which it stops, is negative or above its `most_damping`
+// EXPECT: drive\.bad_joint: `safe_damping` of the servo of the joint `knee`, with which it stops, is 2, above its `most_damping`, 1; raise
 // `most_damping` is the most that anybody can ask the drive for, so a stop can't have more.
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/mit.hpp>

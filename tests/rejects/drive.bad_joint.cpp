@@ -1,4 +1,4 @@
-// EXPECT: drive\.bad_joint: the mounting of this joint is impossible: `gear` is above 0
+// EXPECT: drive\.bad_joint: the mounting of the joint `knee` is impossible: its `gear` is -2, and it is above 0; a drive that turns the other way round has `sign` -1
 // A drive that turns the other way round has a sign, not a negative gear: the gear also scales the limits.
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/mit.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: drive\.bad_number: a node of CANopen is 1 to 127
+// EXPECT: drive\.bad_number: the node of EPOS4 is 0, and a node of CANopen is 1 to 127
 // Node 0 of CANopen means all nodes.
 #include <cca/hardware/cia402.hpp>
 

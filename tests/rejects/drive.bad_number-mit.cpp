@@ -1,4 +1,4 @@
-// EXPECT: drive\.bad_number: the number of an MIT drive is at most 255 \(Damiao: 15\), since it stands in the first byte of its replies
+// EXPECT: drive\.bad_number: the number of AK60-6 is 16, and that of a Damiao is at most 15, since it stands in the first byte of its replies
 // A Damiao has four bits for its number, because the others of that byte are its state.
 #include <cca/hardware/mit.hpp>
 

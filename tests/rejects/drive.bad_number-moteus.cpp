@@ -1,4 +1,4 @@
-// EXPECT: drive\.bad_number: a moteus has a number from 1 to 127, and not the one that we send from
+// EXPECT: drive\.bad_number: the number of n1 is 5, and we send from 5: a moteus has a number from 1 to 127, and not the one that we send from
 // Number 0 is ours, unless the source states another one.
 #include <cca/hardware/moteus.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: drive\.bad_number: an ODrive with firmware 0\.5 sends no torques: leave out their period
+// EXPECT: drive\.bad_number: the ODrive of node 3 has firmware 0\.5, which sends no torques: leave out their period
 // A start would wait for them in vain.
 #include <cca/hardware/odrive.hpp>
 

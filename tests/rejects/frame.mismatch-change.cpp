@@ -1,4 +1,4 @@
-// EXPECT: frame\.mismatch: this frame change takes what is given in the frame that it places
+// EXPECT: frame\.mismatch: this frame change places hip in trunk, so it takes what is given in hip, but its input is paw_in_trunk
 // A frame change leads from the frame that it places to the frame in which it is placed, not back.
 #include <cca/mapping/rigid_motion.hpp>
 

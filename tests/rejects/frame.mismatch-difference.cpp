@@ -1,4 +1,4 @@
-// EXPECT: frame\.mismatch: these two samples are of different frames
+// EXPECT: frame\.mismatch: samples of foot_in_world \(cartesian_position<world> over x, y, z\) and of foot_in_hip \(cartesian_position<hip> over x, y, z\) are of different frames
 // A distance lies within one frame.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: frame\.mismatch: the principal axes of a Cartesian impedance are those of the base of the body or of the frame in which the part ends
+// EXPECT: frame\.mismatch: the principal axes of this Cartesian impedance of the part `[a-z]+` are those of table, but they are those of the base of the body
 // Its six stiffnesses are about and along axes that it knows: those of the base, or those of the reference.
 #include <cca/robot/compliance/cartesian_impedance.hpp>
 

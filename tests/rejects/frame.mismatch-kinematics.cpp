@@ -1,4 +1,4 @@
-// EXPECT: frame\.mismatch: kinematics say where a chain's tip is in the frame of the chain's base
+// EXPECT: frame\.mismatch: kinematics say where the tip of a chain is in the frame of its base, trunk, but paw_place \(cartesian_position<world> over x, z\) has another frame
 // The chain begins in the trunk, but the paw is wanted in the world.
 #include <cca/mapping/inverse_kinematics.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: frame\.mismatch: the power of a wrench with a twist that acts at another point
+// EXPECT: frame\.mismatch: the power of a wrench at foot with a twist that acts at another point, trunk; move one to the point of the other first
 // A wrench and a twist that act at two points make no power.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: frame\.mismatch: these two samples are of different frames
+// EXPECT: frame\.mismatch: samples of left_force \(wrench<world, world> over x, y, z\) and of right_force \(wrench<world, foot> over x, y, z\) are of different frames
 // Forces are added in one frame.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>

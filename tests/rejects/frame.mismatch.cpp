@@ -1,4 +1,4 @@
-// EXPECT: frame\.mismatch: two orientations are composed that are rotations in different frames
+// EXPECT: frame\.mismatch: two orientations are composed that are rotations in different frames, [a-z]+ and [a-z]+; bring both into one frame first
 // Coordinates are numbers in a frame; those of two frames do not combine, nor do rotations.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: learner\.model: the learner of this adaptive mapping adapts a model between other spaces
+// EXPECT: learner\.model: the learner of this adaptive mapping adapts the model .* from paw \(.*\) to leg_torques \(.*\), and the mapping is from paw \(.*\) to leg_angles
 // This learner leads to torques, but the mapping to angles.
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/mapping/adaptive_mapping.hpp>

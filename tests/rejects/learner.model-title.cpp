@@ -1,4 +1,4 @@
-// EXPECT: learner\.model: this model has no title, by which a file of learned parameters is recognised: add `static std::string title\(\)
+// EXPECT: learner\.model: the model [a-z_]+ has no title, by which a file of learned parameters is recognised: add `static std::string title\(\)` to it
 // A model states a title, so that a file of another model is refused.
 #include <cca/adaptive/recursive_least_squares.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: learner\.model: the learner of this module adapts another model
+// EXPECT: learner\.model: the learner of this module adapts the model discrete_shape<leg_angles, 25>, and the module runs rhythmic_shape<leg_angles, 25>
 // This learner learns discrete shapes, but the module runs a rhythmic one.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>

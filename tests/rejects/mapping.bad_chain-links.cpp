@@ -1,4 +1,4 @@
-// EXPECT: mapping\.bad_chain: the `links` of this chain are more or fewer than its `joints`
+// EXPECT: mapping\.bad_chain: the chain [a-z]+ has 1 `links` and 2 `joints`
 // Behind each joint is a link, also behind one that moves with another.
 #include <cca/mapping/kinematics.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: mapping\.bad_chain: a joint is driven by a coordinate for which the chain has no axis
+// EXPECT: mapping\.bad_chain: joint 1 of the chain leg is driven by coordinate 1, and the chain has 1 axis \(hip\), counted from 0
 // Each joint without `driven_by` has an axis of its own: two joints, and the chain has one axis.
 #include <cca/mapping/kinematics.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: mapping\.bad_policy: a layer of this network has no units
+// EXPECT: mapping\.bad_policy: layer 2 of this network has no units
 // Nothing gets through a layer without units.
 #include <cca/mapping/policy.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: mapping\.bad_policy: the output of this policy has more than one number per axis, as a pose has
+// EXPECT: mapping\.bad_policy: the output of this policy, attitude \(orientation<[a-z]+> over x, y, z.*\), has more than one number per axis, as a pose has
 // The numbers of a network are independent of each other; those of an orientation are not.
 #include <cca/mapping/policy.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: mapping\.chain: a mapping of this chain takes samples of another space
+// EXPECT: mapping\.chain: a mapping of this chain gives [a-z_]+ \(.*\), and the next one takes [a-z_]+ \(.*\): the [a-z ]+ differ
 // Of two joints of a chain that do not meet, the first is reported.
 #include <cca/mapping/mapping_chain.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: mapping\.chain: a mapping of this chain takes samples of another space
+// EXPECT: mapping\.chain: a mapping of this chain gives paw_in_trunk \(.*\), and the next one takes paw_in_world \(.*\): the frames differ
 // The first mapping returns the paw in the trunk's frame, but the last takes it in the world's.
 #include <cca/mapping/mapping_chain.hpp>
 #include <cca/mapping/rigid_motion.hpp>

@@ -1,4 +1,4 @@
-// EXPECT: modes\.unknown_mode: the set of modes has no mode of the name that switch_to names
+// EXPECT: modes\.unknown_mode: switch_to names the mode `rets`, which [a-z_]+ lacks; did you mean `rest`\?
 // switch_to names a mode of the set.
 #include <cca/modes.hpp>
 

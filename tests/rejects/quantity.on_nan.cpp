@@ -1,4 +1,4 @@
-// EXPECT: quantity\.on_nan: this quantity does not say what a limiter does with a command that is NaN: add `static constexpr auto on_nan = cca::nan_policy::hold;`
+// EXPECT: quantity\.on_nan: the quantity flow does not say what a limiter does with a command that is NaN: add `static constexpr auto on_nan = cca::nan_policy::hold;`
 // A torque that is held goes on to accelerate, and an angle that goes to zero jumps: each quantity states
 // what is safe.
 #include "parts.hpp"

@@ -1,4 +1,4 @@
-// EXPECT: rate\.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; where none is meant, leave it out
+// EXPECT: rate\.missing: `cca::rate<0>` is no rate, which is a number of updates per second above 0, as `cca::rate<1000>`; where none is meant, leave it out
 // A rate is above 0.
 #include "parts.hpp"
 

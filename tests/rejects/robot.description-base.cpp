@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: this robot floats, but the base of its body has no mass
+// EXPECT: robot\.description: pendulum floats, but the base of its body has no mass; add `static constexpr cca::link_inertia base
 // A base that nothing holds moves by the forces on it.
 #include "pendulum.hpp"
 

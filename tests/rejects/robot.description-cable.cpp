@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a spring or cable ends on a part or on a link that the body doesn't have
+// EXPECT: robot\.description: the cable `line_springs\[0\]` of pendulum ends on the part `hand`, which its body lacks: it has `arm`
 // A cable pulls at points of parts, which it finds by the names of the parts.
 #include "pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a port of this robot is over an axis that its body doesn't have
+// EXPECT: robot\.description: the port `outer` of arm is over the axis wave, which its body lacks; take it out
 // The body has no joint `wave`.
 #include "pendulum.hpp"
 

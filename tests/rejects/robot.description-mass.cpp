@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a link of this body has no mass, so no torque could move it
+// EXPECT: robot\.description: the link that the joint `swing` of pendulum moves has no mass, so no torque could move it
 // Kinematics need no inertia, but a simulated robot does, except between two hinges that cross.
 #include "pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a joint of this robot has a motor and is not measured
+// EXPECT: robot\.description: the joint `swing` of pendulum has a motor and is not measured
 // A joint without a port gets no commands.
 #include "pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: this description of a robot lacks a `body`, a `rate`, `commands` or `drives`
+// EXPECT: robot\.description: pendulum lacks `commands`: the description of a robot states `body`
 // What a robot takes are its ports, so a description says it, even if it takes nothing.
 #include "pendulum.hpp"
 

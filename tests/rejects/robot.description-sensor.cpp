@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a sensor is at the end of a part that the body doesn't have
+// EXPECT: robot\.description: the sensor `load` of pendulum is at the end of the part `hand`, which its body lacks: it has `arm`
 // The body has no part `hand`: that is the frame in which its part `arm` ends.
 #include "pendulum.hpp"
 

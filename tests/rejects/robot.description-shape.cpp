@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a shape is on a part or on a link that the body doesn't have
+// EXPECT: robot\.description: `shapes\[0\]` of pendulum is on link 1 of the part `arm`, which has 1, counted from 0
 // Links count from 0: the only one of this arm is link 0.
 #include "pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a joint of this robot is in two groups with the same kind of command
+// EXPECT: robot\.description: the joint `swing` of arm is in the groups `inner` and `outer`, which have the same kind of command
 // `bend` would have two torques.
 #include "pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: `drives` has more or fewer entries than the body has axes
+// EXPECT: robot\.description: `drives` of pendulum has 2 entries, and its body has 1 axis \(swing\): give one for each axis
 // A joint without a motor is passive, but it has an entry too: its friction and its spring stand there.
 #include "pendulum.hpp"
 

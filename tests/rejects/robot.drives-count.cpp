@@ -1,4 +1,4 @@
-// EXPECT: robot\.drives: this robot has more or fewer drives than its body has axes
+// EXPECT: robot\.drives: the body of arm has 2 axes that are measured \(shoulder, elbow\), and 1 drive or board follows the bus, none for `elbow`
 // The elbow has no drive.
 #include "arm_on_drives.hpp"
 

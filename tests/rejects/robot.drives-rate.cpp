@@ -1,4 +1,4 @@
-// EXPECT: robot\.drives: the rate of this robot is below 200 Hz or above 4 kHz
+// EXPECT: robot\.drives: the rate of arm is 100 Hz, below 200 Hz; write for example
 // Below, drives would notice too late that nobody commands them; above, no bus carries the frames.
 #include "arm_on_drives.hpp"
 

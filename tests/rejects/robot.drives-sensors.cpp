@@ -1,4 +1,4 @@
-// EXPECT: robot\.drives: this robot has sensors, but no board that reads as many
+// EXPECT: robot\.drives: arm has force sensors: 1, inertial ones: 0, feet: 0, but no board; after the joints add a cca::hardware::robot_board
 // In the simulator a force sensor needs nothing else; a real one is on a bus.
 #include "arm_on_drives.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: robot\.drives: an axis of this robot has no drive, and no servo of its board moves it
+// EXPECT: robot\.drives: the axis `right_hind_knee` of [a-z_]+ has no drive, and no servo of its board moves it
 // The board of an Oncilla moves its abductions; here the right hind knee has no drive, and a hip has two.
 #include "oncilla.hpp"
 

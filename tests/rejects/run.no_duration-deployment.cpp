@@ -1,6 +1,6 @@
-// EXPECT: run\.no_duration: the first argument of run\(\) is no duration: write cca::for_<10>\{\} for seconds
+// EXPECT: run\.no_duration: the first argument of run\(\) is no duration but `[a-z_<> ]+`: write cca::for_<10>\{\} for seconds
 // A deployment takes a duration as well, and it stands first.
-// LINES: 15
+// LINES: 18
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"

@@ -1,6 +1,6 @@
-// EXPECT: run\.no_pace: the second argument of run\(\) is no pace: write cca::as_fast_as_possible\{\}
+// EXPECT: run\.no_pace: the second argument of run\(\) is no pace but `a function`: write cca::as_fast_as_possible\{\}
 // The same of a controller and a function.
-// LINES: 15
+// LINES: 18
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>, cca::node<"oscillator", oscillator>, cca::node<"log", logbook>> {};

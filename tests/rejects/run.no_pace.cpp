@@ -1,6 +1,6 @@
-// EXPECT: run\.no_pace: the second argument of run\(\) is no pace: write cca::as_fast_as_possible\{\}
+// EXPECT: run\.no_pace: the second argument of run\(\) is no pace but `[^`]+`: write cca::as_fast_as_possible\{\}
 // What is called between two beats is the third argument of run(); the pace stands before it.
-// LINES: 15
+// LINES: 18
 #include <cca/deployment.hpp>
 #include <cca/runtime/live/live_access.hpp>
 

@@ -1,5 +1,5 @@
-// EXPECT: space\.arithmetic: samples of this domain type have no such operator: calculate with their numbers
-// LINES: 15
+// EXPECT: space\.arithmetic: samples of leg_angles \(joint_angles over hip, knee\) have no such operator \*: calculate with their numbers
+// LINES: 18
 // A matrix multiplies numbers, no samples.
 #include "parts.hpp"
 

@@ -1,5 +1,5 @@
-// EXPECT: space\.arithmetic: samples of this domain type have no such operator: calculate with their numbers, as in `to\.vector\(\) - at\.vector\(\)`
-// LINES: 15
+// EXPECT: space\.arithmetic: samples of leg_angles \(joint_angles over hip, knee\) have no such operator -: calculate with their numbers, as in `to\.vector\(\) - at\.vector\(\)`
+// LINES: 18
 // Samples have the operations of their domain type. Angles have no sum; their numbers have.
 #include "parts.hpp"
 

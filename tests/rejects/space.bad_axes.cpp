@@ -1,4 +1,4 @@
-// EXPECT: space\.bad_axes: the second argument of a space is the list of its axes, as in `struct leg_angles : cca::space<
+// EXPECT: space\.bad_axes: the second argument of a space is the list of its axes, and that of a cca::space<joint_angles> is missing: write them as in `struct leg_angles : cca::space<
 // A space states what its coordinates are along.
 #include "parts.hpp"
 

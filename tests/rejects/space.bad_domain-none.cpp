@@ -1,4 +1,4 @@
-// EXPECT: space\.bad_domain: the first argument of a space is a domain type, as cca::joint_angles; a type of your own is one if it states
+// EXPECT: space\.bad_domain: the first argument of a space is a domain type, as cca::joint_angles, and `double` is none; a type of your own is one if it states
 // A quantity is no domain type, nor is a number.
 #include "parts.hpp"
 

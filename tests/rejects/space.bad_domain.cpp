@@ -1,4 +1,4 @@
-// EXPECT: space\.bad_domain: this domain type does not say what is measured along its axes: add `using quantity = cca::angle;`
+// EXPECT: space\.bad_domain: the domain type flows does not say what is measured along its axes: add `using quantity = cca::angle;`
 // A domain type says what is measured along its axes, so that limits and messages can.
 #include "parts.hpp"
 

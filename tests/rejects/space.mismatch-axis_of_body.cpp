@@ -1,4 +1,4 @@
-// EXPECT: space\.mismatch: this space lacks an axis of the body; it must have all axes of the body
+// EXPECT: space\.mismatch: measured \(joint_angles over elbow\) lacks the axis shoulder of the body arm; it must have all axes of the body
 // The body has two joints, and its pose and its gravity torques need the angle of each.
 #include "arm.hpp"
 

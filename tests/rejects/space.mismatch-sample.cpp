@@ -1,5 +1,5 @@
-// EXPECT: space\.mismatch: this sample is of another space than the output: their domain types or axes differ; put a mapping between them
-// LINES: 15
+// EXPECT: space\.mismatch: the output `angles` of leg_angles \(joint_angles over hip, knee\) is made from a sample of leg_torques \(joint_torques over hip, knee\): the domain types differ; put a mapping between them
+// LINES: 18
 // An output takes samples of its own space only.
 #include "parts.hpp"
 

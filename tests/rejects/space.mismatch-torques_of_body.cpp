@@ -1,4 +1,4 @@
-// EXPECT: space\.mismatch: the torques of a body have exactly the axes of the body, all of them and no others
+// EXPECT: space\.mismatch: the torques of the body arm are torques \(joint_torques over shoulder, elbow, gripper\), but have exactly its axes, shoulder, elbow
 // A torque of an axis that the body doesn't have would be nobody's.
 #include "arm.hpp"
 

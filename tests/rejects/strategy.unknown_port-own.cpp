@@ -1,4 +1,4 @@
-// EXPECT: strategy\.unknown_port: the strategy of this node reads an input that its component does not have
+// EXPECT: strategy\.unknown_port: the strategy of the node `recorder` reads the input `angle`, which its component, recorder, lacks; did you mean `angles`\?
 // A strategy of your own reads inputs that the component has.
 #include "parts.hpp"
 

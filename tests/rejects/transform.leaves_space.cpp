@@ -1,4 +1,4 @@
-// EXPECT: transform\.leaves_space: the function of this transformation returns something that lies in another space
+// EXPECT: transform\.leaves_space: the function [a-z_]+ of this transformation returns paw_in_trunk \(.*\), but its input is in paw_in_hip
 // A transformation returns the space that it takes: here it takes the paw in the hip's frame and returns it
 // in the trunk's.
 #include <cca/mapping/mapping.hpp>

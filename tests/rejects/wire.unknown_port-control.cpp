@@ -1,4 +1,4 @@
-// EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input of its module or its criterion
+// EXPECT: wire\.unknown_port: cca::control_through<`Go`, slower> of this adaptive component names no control input of its module or its criterion; did you mean `go`\?
 // A mapping stands on an input that exists.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>

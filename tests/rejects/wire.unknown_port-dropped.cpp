@@ -1,4 +1,4 @@
-// EXPECT: wire\.unknown_port: c\.dropped<\.\.\.>\(\) names no input
+// EXPECT: wire\.unknown_port: dropped<`recorder\.angels`>\(\) names no input of walk; did you mean `recorder\.angles`\?
 // Who asks what a queue has lost names an input.
 #include "parts.hpp"
 

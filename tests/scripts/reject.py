@@ -72,6 +72,7 @@ def sentence(error):
     if assertion:
         return assertion[1].strip('"')
     said = ""
+    error = re.sub(r".*?\brefused_\w+<", "", error, count=1)  # what stands before may have texts of its own
     for column in re.findall(r'"((?:[^"\\]|\\.)*)"', error):
         word_is_cut = len(column) == COLUMN and " " not in column
         said += column.rstrip() + ("" if word_is_cut else " ")

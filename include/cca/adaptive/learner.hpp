@@ -31,22 +31,28 @@
 #include <type_traits>
 
 #include <cca/adaptive/ode.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/reflect.hpp>
 
 namespace cca {
 
 namespace detail {
 
+template <class Model>
+struct no_title {
+  static constexpr void tell(text& m) {
+    m << "learner.model: the model " << type_name<Model>()
+      << " has no title, by which a file of learned parameters is recognised: add `static std::string "
+         "title()` to it, which returns for example `reaching v1`";
+  }
+};
 // Asked last, of what is a model in all else.
 template <class Model>
 constexpr bool has_title() {
   constexpr bool states = requires {
     { Model::title() } -> std::convertible_to<std::string>;
   };
-  static_assert(
-      states,
-      "learner.model: this model has no title, by which a file of learned parameters is recognised: "
-      "add `static std::string title() { return \"reaching v1\"; }` to it");
+  static_assert(holds_or_tells<states, no_title<Model>>::value);
   return true;
 }
 
@@ -113,15 +119,20 @@ template <class Type> concept BatchLearner =
 
 namespace detail {
 
-// True if a module may use a learner; else it reports the mistake. It is a function because compilers print
-// its template arguments once; those of a concept they print twice.
-template <class LearnerModel, class ModuleModel, bool Same = std::is_same_v<LearnerModel, ModuleModel>>
+template <class LearnerModel, class ModuleModel>
+struct other_model {
+  static constexpr void tell(text& m) {
+    m << "learner.model: the learner of this module adapts the model " << type_name<LearnerModel>()
+      << ", and the module runs " << type_name<ModuleModel>()
+      << ", so the module could not use the result; bind the learner to the model of the module";
+  }
+};
+// True if a module may use a learner; else it reports the mistake.
+template <class LearnerModel, class ModuleModel>
 constexpr bool check_models() {
-  static_assert(Same,
-                "learner.model: the learner of this module adapts another model than the one that the module "
-                "runs, so the module could not use the result (the compiler prints both models, the "
-                "learner's first); bind the learner to the module's model");
-  return Same;
+  constexpr bool same = std::is_same_v<LearnerModel, ModuleModel>;
+  static_assert(holds_or_tells<same, other_model<LearnerModel, ModuleModel>>::value);
+  return same;
 }
 
 }  // namespace detail

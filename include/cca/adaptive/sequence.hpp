@@ -52,7 +52,7 @@ namespace cca {
 // The state of a sequence: a value, for your own component, or inside the component of sequencer.hpp.
 template <class Plan>
 class sequence {
-  static_assert(sizeof(typename detail::refusal_of_steps<Plan>::type) != 0);
+  static_assert(detail::holds_or_tells<Plan::well_named(), detail::wrong_steps<Plan>>::value);
 
 public:
   // Call it once in a beat. Each of `told` is an `observe<...>`.

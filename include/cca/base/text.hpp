@@ -38,8 +38,12 @@ struct text_of {
   }
   constexpr text_of& operator<<(int number) { return *this << static_cast<std::int64_t>(number); }
 
-  // With up to three decimals, for rates.
+  // With up to three decimals.
   constexpr text_of& operator<<(double number) {
+    if (number < 0) {
+      put('-');
+      number = -number;
+    }
     const auto thousandths = static_cast<std::int64_t>(number * 1000 + 0.5);
     *this << thousandths / 1000;
     if (const auto rest = thousandths % 1000; rest != 0) {

@@ -7,11 +7,27 @@
 #include <type_traits>
 
 #include <cca/base/assumed.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 
 namespace cca {
 namespace detail {
 struct beat_of_seconds;
-}
+
+template <class... Numbers>
+struct beat_not_whole {
+  static constexpr void tell(text& m) {
+    int place = 0, wrong = 0;
+    ((++place, wrong = wrong == 0 && std::is_floating_point_v<Numbers> ? place : wrong), ...);
+    m << "beat.not_whole: the "
+      << (wrong == 1   ? "first"
+          : wrong == 2 ? "second"
+                       : "third")
+      << " number of this beat is no whole number: a beat is made of its index, its period in nanoseconds "
+         "and the number of beats since the component last fired, as in `cca::beat{3, 1000000, 1}`";
+  }
+};
+
+}  // namespace detail
 
 class beat {
 public:
@@ -23,9 +39,7 @@ public:
     requires(std::is_floating_point_v<Index> || std::is_floating_point_v<Period> ||
              std::is_floating_point_v<Since>)
   constexpr beat(Index, Period, Since) : beat(0, 1, 1) {
-    static_assert(!sizeof(Index),
-                  "beat.not_whole: a beat is made of whole numbers: its index, its period in nanoseconds and "
-                  "the number of beats since the component last fired, as in `cca::beat{3, 1'000'000, 1}`");
+    static_assert(detail::holds_or_tells<false, detail::beat_not_whole<Index, Period, Since>>::value);
   }
 
   // k = 0, 1, 2, ...

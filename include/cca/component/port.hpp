@@ -13,6 +13,8 @@
 #include <cca/base/copy_block.hpp>
 #include <cca/component/ports/observation.hpp>
 #include <cca/base/fixed_string.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/methods/arithmetic.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/space/methods/scalar.hpp>
@@ -28,12 +30,19 @@ template <class Type>
 inline constexpr bool is_space =
     Space<Type>;  // asked as a concept, both compilers would add what it is made of
 
+template <class Type>
+struct port_of_no_space {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: a port is of a space, and `" << type_name<Type>()
+      << "` is none: make one of it, as in `struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, "
+         "knee>> {};`";
+  }
+};
+
 // A function: of a struct with the same assertion the members would be unknown after it fails.
 template <class Type>
 constexpr auto space_or_refused() {
-  static_assert(is_space<Type>,
-                "component.bad_parameter: a port is of a space, and this type is none: make one of it, as in "
-                "`struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};`");
+  static_assert(holds_or_tells<is_space<Type>, port_of_no_space<Type>>::value);
   return std::type_identity<std::conditional_t<is_space<Type>, Type, no_space>>{};
 }
 template <class Type>
@@ -58,25 +67,32 @@ template <class Type> concept HoldsNumber = std::is_class_v<Type> &&
 // Of a space that neither is that of the output nor renames it.
 template <class Other, class Space> concept Foreign = !std::is_same_v<Other, Space> && !Renames<Other, Space>;
 
-// Functions that are called where the mistake is, and whose arguments the compilers print.
-template <int Given, int Wanted>
-constexpr void refuse_length() {
-  static_assert(Given == Wanted,
-                "component.bad_result: this vector has another number of coordinates than the space of the "
-                "port has: give one number for each axis (an orientation and a pose have a quaternion)");
-}
-template <class Type>
-constexpr void refuse_enumerator() {
-  static_assert(!std::is_enum_v<Type>,
-                "component.bad_result: an output holds numbers, and this is an enumerator: write "
-                "`cca::status_of(...)` around it");
-}
-template <class Given, class Wanted>
-constexpr void refuse_space() {
-  static_assert(!Foreign<Given, Wanted>,
-                "space.mismatch: this sample is of another space than the output: their domain types or axes "
-                "differ; put a mapping between them, or return its `vector()` if you mean the bare numbers");
-}
+// What the constructors say that take what does not fit.
+template <class Port, int Given>
+struct wrong_length {
+  static constexpr void tell(text& m) {
+    m << "component.bad_result: the port `" << Port::name << "` is made from a vector of " << Given
+      << ", and a sample of " << space_in_words<typename Port::space>() << " has " << Port::space::size
+      << (Port::space::size == 1 ? " coordinate" : " coordinates")
+      << ": give one number for each axis (an orientation and a pose have a quaternion)";
+  }
+};
+template <class Port, class Type>
+struct port_of_enumerator {
+  static constexpr void tell(text& m) {
+    m << "component.bad_result: the output `" << Port::name << "` holds numbers, and `" << type_name<Type>()
+      << "` is an enumeration: write `cca::status_of(...)` around its value";
+  }
+};
+template <class Port, class Given>
+struct foreign_sample {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the output `" << Port::name << "` of " << space_in_words<typename Port::space>()
+      << " is made from a sample of " << space_in_words<Given>() << ": "
+      << difference_in_words<Given, typename Port::space>()
+      << "; put a mapping between them, or return its `vector()` if you mean the bare numbers";
+  }
+};
 
 }  // namespace detail
 
@@ -95,7 +111,7 @@ public:
   template <class Vector>
     requires detail::Unfit<Vector, in::space::size>
   constexpr in(const Eigen::MatrixBase<Vector>&, std::int64_t, bool) {
-    detail::refuse_length<Vector::SizeAtCompileTime, in::space::size>();
+    static_assert(detail::holds_or_tells<false, detail::wrong_length<in, Vector::SizeAtCompileTime>>::value);
   }
 
   constexpr bool fresh() const { return arrived; }
@@ -165,20 +181,21 @@ public:
   template <class Vector>
     requires detail::Unfit<Vector, space::size>
   constexpr out(const Eigen::MatrixBase<Vector>&) {
-    detail::refuse_length<Vector::SizeAtCompileTime, space::size>();
+    static_assert(detail::holds_or_tells<false, detail::wrong_length<out, Vector::SizeAtCompileTime>>::value);
   }
   template <detail::Foreign<space> Other>
   constexpr out(const sample<Other>&) {
-    detail::refuse_space<Other, space>();
+    static_assert(detail::holds_or_tells<false, detail::foreign_sample<out, Other>>::value);
   }
   template <detail::Enumerator State>
   constexpr out(State) {
-    detail::refuse_enumerator<State>();
+    static_assert(detail::holds_or_tells<false, detail::port_of_enumerator<out, State>>::value);
   }
 
   template <class Axis>
   constexpr double& operator[](Axis) {
-    static_assert(space::axes::template contains<Axis>, "cca::out: this space has no such axis");
+    static_assert(detail::holds_or_tells<space::axes::template contains<Axis>,
+                                         detail::unknown_axis<space, Axis>>::value);
     static_assert(space::size == space::axes::count, "cca::out: this domain type has no value per axis");
     return coordinates[space::axes::template index_of<Axis>];
   }
@@ -223,11 +240,12 @@ public:
   template <class Vector>
     requires detail::Unfit<Vector, maybe::space::size>
   constexpr maybe(const Eigen::MatrixBase<Vector>&) {
-    detail::refuse_length<Vector::SizeAtCompileTime, maybe::space::size>();
+    static_assert(
+        detail::holds_or_tells<false, detail::wrong_length<maybe, Vector::SizeAtCompileTime>>::value);
   }
   template <detail::Foreign<typename maybe::space> Other>
   constexpr maybe(const sample<Other>&) {
-    detail::refuse_space<Other, typename maybe::space>();
+    static_assert(detail::holds_or_tells<false, detail::foreign_sample<maybe, Other>>::value);
   }
   template <detail::Enumerator State>
   constexpr maybe(State state) : out<Name, Space>(state) {}

@@ -17,6 +17,7 @@
 #include <toml++/toml.h>
 
 #include <cca/base/file.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/config/before_parsing.hpp>
 #include <cca/config/by_path.hpp>
@@ -88,11 +89,17 @@ inline void read_component(
   else read_table(type, values, node ? node->as_table() : nullptr, std::string(path), found);
 }
 
+template <class Component>
+struct field_of_no_file {
+  static constexpr void tell(text& m) {
+    m << "parameters.unsupported_type: the field `" << unsupported_field<typename Component::parameters>()
+      << "` of the parameters of " << type_name<Component>() << " has a type that no file can hold";
+  }
+};
 template <HasParameters Component>
 constexpr const schema& parameters_schema() {
-  static_assert(
-      unsupported_field<typename Component::parameters>().empty(),
-      "parameters.unsupported_type: a field of this component's parameters has a type that no file can hold");
+  static_assert(holds_or_tells<unsupported_field<typename Component::parameters>().empty(),
+                               field_of_no_file<Component>>::value);
   return schema_of<typename Component::parameters>;
 }
 

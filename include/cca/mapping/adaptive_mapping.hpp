@@ -38,14 +38,20 @@ namespace detail {
 template <class Model, class From, class To>
 constexpr bool maps_between = matching<typename Model::from, From> && matching<typename Model::to, To>;
 
-// A function, because compilers print its template arguments.
-template <class Model, class From, class To, bool Fits = maps_between<Model, From, To>>
+template <class Model, class From, class To>
+struct model_between_others {
+  static constexpr void tell(text& m) {
+    m << "learner.model: the learner of this adaptive mapping adapts the model " << type_name<Model>()
+      << " from " << space_in_words<typename Model::from>() << " to " << space_in_words<typename Model::to>()
+      << ", and the mapping is from " << space_in_words<From>() << " to " << space_in_words<To>()
+      << "; bind the learner to a model between these spaces";
+  }
+};
+template <class Model, class From, class To>
 constexpr bool check_model_of_mapping() {
-  static_assert(Fits,
-                "learner.model: the learner of this adaptive mapping adapts a model between other spaces "
-                "than those of the mapping (the compiler prints the model, the input space and the output "
-                "space of the mapping); bind the learner to a model between these spaces");
-  return Fits;
+  constexpr bool fits = maps_between<Model, From, To>;
+  static_assert(holds_or_tells<fits, model_between_others<Model, From, To>>::value);
+  return fits;
 }
 
 // `Correction`: the learned function is added to the input.

@@ -65,22 +65,41 @@ struct tip_frame_of<Space> {
   using type = typename frame_along<typename Space::domain>::type;
 };
 
+template <class Tip>
+struct no_tip_space {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the tip of a chain is given in " << space_in_words<Tip>()
+      << ", but it has a space of positions over axes x, y and z, of orientations or of poses";
+  }
+};
+template <class Base, class Tip>
+struct tip_in_other_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: kinematics say where the tip of a chain is in the frame of its base, "
+      << type_name<Base>() << ", but " << space_in_words<Tip>()
+      << " has another frame; put a `cca::frame_change` in between";
+  }
+};
+template <class Chain, class Joints>
+struct joints_lack_axis {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: " << space_in_words<Joints>() << " lacks the axis "
+      << missing_axis_in_words<typename Joints::axes>(typename Chain::axes()) << " of the chain "
+      << type_name<Chain>() << "; it must have all axes of the chain";
+  }
+};
+
 // In functions; mapping.hpp says why.
 template <class Chain, class Tip>
 constexpr auto check_tip() {
-  static_assert(is_tip_space<Tip> && has_cartesian_axes<Tip>(),
-                "space.mismatch: the tip of a chain is given in a space of positions over axes x, y and z, "
-                "of orientations or of poses");
-  static_assert(!is_tip_space<Tip> || SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>,
-                "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, but "
-                "this space has another frame; put a `cca::frame_change` in between");
+  static_assert(holds_or_tells<(is_tip_space<Tip> && has_cartesian_axes<Tip>()), no_tip_space<Tip>>::value);
+  static_assert(holds_or_tells<(!is_tip_space<Tip> ||
+                                SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>),
+                               tip_in_other_frame<typename Chain::base, Tip>>::value);
 }
 template <class Chain, class Joints>
 constexpr auto check_joints_within() {
-  static_assert(
-      MovedWithin<Chain, Joints>,
-      "space.mismatch: this space of joint angles lacks an axis of the chain; it must have all axes "
-      "of the chain");
+  static_assert(holds_or_tells<MovedWithin<Chain, Joints>, joints_lack_axis<Chain, Joints>>::value);
 }
 
 }  // namespace detail

@@ -51,10 +51,16 @@ struct solver_of<Leg, Joints, Tip, Settings> {
 };
 
 template <class Chain, class Joints>
+struct angles_of_other_axes {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the angles of this inverse kinematics are " << space_in_words<Joints>()
+      << ", but have exactly the axes of the chain " << type_name<Chain>() << ", "
+      << axes_in_words<typename Chain::axes>() << ", all of them and no others";
+  }
+};
+template <class Chain, class Joints>
 constexpr auto check_joints() {
-  static_assert(MovedBy<Chain, Joints>,
-                "space.mismatch: the angles of an inverse kinematics have exactly the axes of the chain, all "
-                "of them and no others");
+  static_assert(holds_or_tells<MovedBy<Chain, Joints>, angles_of_other_axes<Chain, Joints>>::value);
 }
 
 }  // namespace detail

@@ -182,9 +182,8 @@ class chain_pose {
 public:
   static constexpr int size = Chain::axes::count;
   static constexpr std::size_t count = Chain::joints.size();
-  static_assert(detail::coordinates_exist<Chain>,
-                "mapping.bad_chain: a joint is driven by a coordinate for which the chain has no axis; add "
-                "the axis to the chain, or correct the number or the name in `driven_by`");
+  static_assert(
+      detail::holds_or_tells<(detail::undriven_joint<Chain> < 0), detail::chain_without_axis<Chain>>::value);
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 

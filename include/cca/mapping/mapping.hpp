@@ -25,11 +25,13 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/component/component.hpp>
 #include <cca/component/mapped_ports.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/info.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca {
 
@@ -105,6 +107,37 @@ struct mapping_by : Function {
   }
 };
 
+// What a function returns, of a sample with its space.
+template <class Function, class From>
+constexpr void tell_result(text& m) {
+  using result = typename result_of<Function, From>::type;
+  if constexpr (Sample<result>) m << space_in_words<typename result::space>();
+  else if constexpr (EigenVector<result>)
+    m << "a matrix of " << static_cast<int>(result::RowsAtCompileTime) << " x "
+      << static_cast<int>(result::ColsAtCompileTime);
+  else m << "`" << type_name<result>() << "`";
+}
+template <class From, class To, class Function>
+struct maps_elsewhere {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the function " << type_name<Function>() << " of this mapping returns ";
+    tell_result<Function, From>(m);
+    m << ", which is neither a sample nor a vector nor a number of the output space, " << space_in_words<To>()
+      << "; return one of these, or name the space that it returns as the second argument of the mapping";
+  }
+};
+template <class Space, class Function>
+struct leaves_space {
+  static constexpr void tell(text& m) {
+    m << "transform.leaves_space: the function " << type_name<Function>()
+      << " of this transformation returns ";
+    tell_result<Function, Space>(m);
+    m << ", but its input is in " << space_in_words<Space>()
+      << "; a transformation stays in its space, so return a sample or a vector of that space, or use "
+         "`cca::mapping<from, to, function>`";
+  }
+};
+
 // The checks stand in functions that the components name: an assertion that fails inside the class brings
 // errors of its own with it.
 template <class From, class To, class Function>
@@ -112,21 +145,16 @@ constexpr auto check_mapping() {
   static_assert(Takes<Function, From>,
                 "cca::mapping: its function can be called neither with a sample of the input space nor with "
                 "its vector");
-  static_assert(!Takes<Function, From> || MapsInto<Function, From, To>,
-                "space.mismatch: the function of this mapping returns neither a sample nor a vector nor a "
-                "number of the output space; return one of these, or name the space that it returns as the "
-                "second argument of the mapping");
+  static_assert(holds_or_tells<(!Takes<Function, From> || MapsInto<Function, From, To>),
+                               maps_elsewhere<From, To, Function>>::value);
 }
 template <class Space, class Function>
 constexpr auto check_transformation() {
   static_assert(Takes<Function, Space>,
                 "cca::transformation: its function can be called neither with a sample of its space nor with "
                 "its vector");
-  static_assert(!Takes<Function, Space> || MapsInto<Function, Space, Space>,
-                "transform.leaves_space: the function of this transformation returns something that lies in "
-                "another space (domain type, frame, axes or rate) than its input; a transformation stays in "
-                "its space, so return a sample or a vector of that space, or use `cca::mapping<from, to, "
-                "function>`");
+  static_assert(holds_or_tells<(!Takes<Function, Space> || MapsInto<Function, Space, Space>),
+                               leaves_space<Space, Function>>::value);
 }
 
 }  // namespace detail

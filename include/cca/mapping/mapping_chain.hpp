@@ -23,14 +23,19 @@
 namespace cca {
 namespace detail {
 
-// A function, because compilers print its arguments: the space that one mapping gives and the next takes.
-template <class Given, class Taken, bool Meet = matching<Given, Taken>>
+template <class Given, class Taken>
+struct broken_link {
+  static constexpr void tell(text& m) {
+    m << "mapping.chain: a mapping of this chain gives " << space_in_words<Given>()
+      << ", and the next one takes " << space_in_words<Taken>() << ": " << difference_in_words<Given, Taken>()
+      << "; put a mapping between them, or `cca::frame_change` if only the frames differ";
+  }
+};
+template <class Given, class Taken>
 constexpr auto check_link() {
-  static_assert(Meet,
-                "mapping.chain: a mapping of this chain takes samples of another space (domain type, frame, "
-                "axes or rate) than the mapping before it gives; put a mapping between them, or "
-                "`cca::frame_change` if only the frames differ");
-  return std::bool_constant<Meet>{};
+  constexpr bool meet = matching<Given, Taken>;
+  static_assert(holds_or_tells<meet, broken_link<Given, Taken>>::value);
+  return std::bool_constant<meet>{};
 }
 
 // Reports only the first pair that does not match.

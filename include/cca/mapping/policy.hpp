@@ -32,10 +32,12 @@
 
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/base/file.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/mapping/network/feed_forward.hpp>
 #include <cca/space/domain.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca {
@@ -45,6 +47,17 @@ struct policy_inputs {};
 template <int... Units>
 struct hidden_layers {};
 
+namespace detail {
+template <class To>
+struct output_without_limits {
+  static constexpr void tell(text& m) {
+    m << "mapping.bad_policy: the output of this policy, " << space_in_words<To>()
+      << ", has more than one number per axis, as a pose has; let it publish a space with one number per "
+         "axis, which has limits";
+  }
+};
+}  // namespace detail
+
 template <class Inputs, class Hidden, class Activation, Space To>
 struct policy;
 
@@ -53,9 +66,8 @@ struct policy<policy_inputs<In...>, hidden_layers<Units...>, Activation, To> {
   static_assert(sizeof...(In) > 0,
                 "mapping.bad_policy: this policy has no inputs, so its network sees nothing; name its "
                 "observations in cca::policy_inputs<cca::in<...>, ...>");
-  static_assert(To::size == To::axes::count,
-                "mapping.bad_policy: the output of this policy has more than one number per axis, as a pose "
-                "has; let it publish a space with one number per axis, which has limits");
+  static_assert(
+      detail::holds_or_tells<(To::size == To::axes::count), detail::output_without_limits<To>>::value);
   // Without inputs only the message above, not the errors that follow from it.
   static constexpr int observed = sizeof...(In) > 0 ? (In::space::size + ... + 0) : 1;
   using network = feed_forward<Activation, observed, Units..., To::size>;

@@ -23,9 +23,11 @@
 // vectors). Checked against them, written as 6 x 6 matrices. Example: tests/runtime/mapping/example.cpp.
 #pragma once
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/component/port.hpp>
 #include <cca/mapping/placement.hpp>
 #include <cca/space/domain.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca {
 namespace detail {
@@ -141,12 +143,18 @@ template <class Type> concept CartesianSpace =
 
 namespace detail {
 
+template <class Space>
+struct not_movable {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: " << space_in_words<Space>()
+      << " can not be moved so: a rigid motion and a frame change move positions along the axes x, y and z, "
+         "and rotate them only over all three, axes<x, y, z>";
+  }
+};
 // In functions; mapping.hpp says why.
 template <class Space, class By>
 constexpr auto check_motion() {
-  static_assert(movable<Space>(By::where),
-                "space.mismatch: a rigid motion moves positions along the axes x, y and z, and rotates them "
-                "only over all three, axes<x, y, z>");
+  static_assert(holds_or_tells<movable<Space>(By::where), not_movable<Space>>::value);
   static_assert(std::is_void_v<typename acting<typename Space::domain>::at> ||
                     By::where.translation == placement{}.translation,
                 "cca::rigid_motion: it rotates twists and wrenches but does not translate them; "
@@ -167,27 +175,39 @@ struct frame_change_facts {
       std::is_same_v<from_at, typename Where::thing> && std::is_same_v<to_at, typename Where::frame>;
 };
 
+// What is wrong with a frame change: of the first mistake.
+template <class Where, class From, class To>
+struct bad_frame_change {
+  static constexpr void tell(text& m) {
+    using facts = frame_change_facts<Where, From, To>;
+    if (!facts::kind) {
+      m << "space.mismatch: a frame change keeps the axes and the domain type, only the frame changes, but "
+           "this one leads from "
+        << space_in_words<From>() << " to " << space_in_words<To>();
+      return;
+    }
+    m << "frame.mismatch: this frame change places " << type_name<typename Where::thing>() << " in "
+      << type_name<typename Where::frame>();
+    if (!facts::starts)
+      m << ", so it takes what is given in " << type_name<typename Where::thing>() << ", but its input is "
+        << space_in_words<From>()
+        << "; place that frame, or put a frame change to the placed frame in between";
+    else if (!facts::ends)
+      m << ", so its output is given in " << type_name<typename Where::frame>() << ", but is "
+        << space_in_words<To>() << "; `cca::inverse_of` a placement leads the other way";
+    else
+      m << ": it moves a twist or a wrench from the origin of the one to that of the other, or keeps its "
+           "point; its output, "
+        << space_in_words<To>() << ", acts at another point";
+  }
+};
+
 template <class Where, class From, class To>
 constexpr auto check_frame_change() {
   using facts = frame_change_facts<Where, From, To>;
-  static_assert(facts::kind,
-                "space.mismatch: a frame change keeps the axes and the domain type; only the frame changes");
-  static_assert(
-      !facts::kind || SameFrame<typename frame_along<typename From::domain>::type, typename Where::thing>,
-      "frame.mismatch: this frame change takes what is given in the frame that it places, but its input is "
-      "in another frame; place that frame, or put a frame change to the placed frame in between");
-  static_assert(
-      !facts::kind || !facts::starts ||
-          SameFrame<typename frame_along<typename To::domain>::type, typename Where::frame>,
-      "frame.mismatch: the output of this frame change is in the frame in which it places the other "
-      "one, but its space has a third frame; `cca::inverse_of` a placement leads the other way");
-  static_assert(!facts::kind || !facts::starts || !facts::ends || facts::stays || facts::moves,
-                "frame.mismatch: a frame change moves a twist or a wrench from the origin of the frame that "
-                "it places to the origin of the other frame, or keeps its point; this output acts at another "
-                "point");
-  static_assert(!facts::kind || movable<From>(Where::where),
-                "space.mismatch: a frame change moves positions along the axes x, y and z, and rotates them "
-                "only over all three, axes<x, y, z>");
+  constexpr bool fits = facts::kind && facts::starts && facts::ends && (facts::stays || facts::moves);
+  static_assert(holds_or_tells<fits, bad_frame_change<Where, From, To>>::value);
+  static_assert(holds_or_tells<(!facts::kind || movable<From>(Where::where)), not_movable<From>>::value);
 }
 
 template <class By>

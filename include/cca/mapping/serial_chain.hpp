@@ -21,7 +21,9 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/mapping/placement.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {
@@ -136,14 +138,21 @@ constexpr std::array<body_link, Count> links_of(const std::array<joint, Count>& 
   return links;
 }
 
+template <class Chain>
+struct wrong_link_count {
+  static constexpr void tell(text& m) {
+    m << "mapping.bad_chain: the chain " << type_name<Chain>() << " has "
+      << static_cast<std::int64_t>(Chain::links.size()) << " `links` and "
+      << static_cast<std::int64_t>(Chain::joints.size())
+      << " `joints`; give the inertia of the link behind each joint, in their order";
+  }
+};
 // Of the link behind a joint; without `links` it weighs nothing.
 template <class Chain>
 constexpr link_inertia inertia_of_link(std::size_t joint) {
   if constexpr (DynamicChain<Chain>) {
     static_assert(
-        Chain::links.size() == Chain::joints.size(),
-        "mapping.bad_chain: the `links` of this chain are more or fewer than its `joints`; give the "
-        "inertia of the link behind each joint, in their order");
+        holds_or_tells<(Chain::links.size() == Chain::joints.size()), wrong_link_count<Chain>>::value);
     if (joint < Chain::links.size()) return Chain::links[joint];
   }
   return {};
@@ -159,22 +168,41 @@ inline constexpr auto chain_links = [] {
   return links;
 }();
 
+// The first joint without one; -1: there is none.
 template <class Chain>
-constexpr bool coordinates_exist = [] {
-  for (const auto& l : chain_links<Chain>)
-    if (l.coordinate < 0 || l.coordinate >= Chain::axes::count) return false;
-  return true;
+constexpr int undriven_joint = [] {
+  const auto& links = chain_links<Chain>;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (links[i].coordinate < 0 || links[i].coordinate >= Chain::axes::count) return static_cast<int>(i);
+  return -1;
 }();
+template <class Chain>
+struct chain_without_axis {
+  static constexpr void tell(text& m) {
+    const auto joint = static_cast<std::size_t>(undriven_joint<Chain>);
+    m << "mapping.bad_chain: joint " << undriven_joint<Chain> << " of the chain " << type_name<Chain>()
+      << " is driven by ";
+    if (const auto name = Chain::joints[joint].follows; !name.empty()) m << "the axis `" << name << "`";
+    else m << "coordinate " << chain_links<Chain>[joint].coordinate;
+    m << ", and the chain has " << Chain::axes::count << (Chain::axes::count == 1 ? " axis (" : " axes (")
+      << axes_in_words<typename Chain::axes>()
+      << "), counted from 0: add the axis to the chain, or correct the number or the name in `driven_by`";
+  }
+};
 
 // The same in a body, where a joint can follow an axis of another part.
 template <class Chain>
-constexpr bool own_coordinates_exist = [] {
-  for (std::size_t i = 0; i < Chain::joints.size(); ++i) {
-    const joint& j = Chain::joints[i];
-    const int c = j.coordinate < 0 ? static_cast<int>(i) : j.coordinate;
-    if (j.follows.empty() && c >= Chain::axes::count) return false;
-  }
-  return true;
+constexpr int own_coordinate(std::size_t joint) {
+  const int stated = Chain::joints[joint].coordinate;
+  return stated < 0 ? static_cast<int>(joint) : stated;
+}
+// The first joint whose coordinate the chain lacks; -1: there is none.
+template <class Chain>
+constexpr int joint_without_coordinate = [] {
+  for (std::size_t i = 0; i < Chain::joints.size(); ++i)
+    if (Chain::joints[i].follows.empty() && own_coordinate<Chain>(i) >= Chain::axes::count)
+      return static_cast<int>(i);
+  return -1;
 }();
 
 }  // namespace detail

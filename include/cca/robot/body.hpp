@@ -25,11 +25,14 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/messages/tell_names.hpp>
 #include <cca/component/component.hpp>
 #include <cca/graph/items/graph.hpp>
 #include <cca/mapping/serial_chain.hpp>
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/limits.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca {
 
@@ -51,6 +54,7 @@ namespace detail {
 // The part to which each part is attached: -1 the base, -2 nothing.
 template <class Base, class... Parts>
 struct attachments {
+  using base_frame = Base;
   static constexpr std::size_t count = sizeof...(Parts);
   static constexpr int base = -1, nothing = -2;
 
@@ -90,31 +94,92 @@ struct attachments {
   }();
 };
 
-// In functions; mapping.hpp says why. Compilers print their arguments. Each rule is reported for the first
-// part that breaks it, loops before unattached parts.
-template <class Part, bool IsTree>
-constexpr auto check_tree() {
-  static_assert(
-      IsTree,
-      "body.cycle: the parts of this body close a loop: a part is attached, over others, to itself, "
-      "or two chains end in one frame (or one in the base); a body is a tree or a star, so let each "
-      "chain end in a frame of its own, and leave out the joint that closes the loop");
-  return std::bool_constant<IsTree>{};
-}
-template <class Part, bool IsAttached>
-constexpr auto check_parent() {
-  static_assert(IsAttached,
-                "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is "
-                "neither the body's base nor the end of another part; begin it in one of those, or add the "
-                "part that leads there");
-  return std::bool_constant<IsAttached>{};
-}
+template <class Attachments, std::size_t Index, class Part, class Base>
+struct closed_loop {
+  static constexpr void tell(text& m) {
+    m << "body.cycle: the parts of this body close a loop: ";
+    if (Attachments::in_cycle(Index)) {
+      m << "`" << Part::name << "`";
+      auto at = static_cast<std::size_t>(Attachments::parent[Index]);
+      for (std::size_t steps = 0; steps < Attachments::count; ++steps) {
+        m << (steps == 0 ? " hangs on `" : ", which hangs on `") << Attachments::names[at] << "`";
+        if (at == Index) break;
+        at = static_cast<std::size_t>(Attachments::parent[at]);
+      }
+    } else {
+      m << "the chain of `" << Part::name << "` ends in the frame "
+        << type_name<typename Part::chain::tip_frame>()
+        << (std::is_same_v<typename Part::chain::tip_frame, Base> ? ", which is that of the base"
+                                                                  : ", in which another chain ends too");
+    }
+    m << "; a body is a tree or a star, so let each chain end in a frame of its own, and leave out the joint "
+         "that closes the loop";
+  }
+};
+template <class Part, class Base>
+struct hangs_on_nothing {
+  static constexpr void tell(text& m) {
+    m << "body.unattached: the part `" << Part::name << "` hangs on nothing: its chain begins in the frame "
+      << type_name<typename Part::chain::base>() << ", which is neither the base of the body, "
+      << type_name<Base>()
+      << ", nor the end of another part; begin it in one of those, or add the part that leads there";
+  }
+};
+template <class Attachments>
+struct two_parts_of_one_name {
+  static constexpr void tell(text& m) {
+    std::string_view twice;
+    for (std::size_t i = 0; i < Attachments::count; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (Attachments::names[i] == Attachments::names[j]) twice = Attachments::names[i];
+    m << "body.duplicate: two parts of this body are named `" << twice
+      << "`, by which kinematics and descriptions find them; give each part a name of its own";
+  }
+};
+template <class Axes, class... Parts>
+struct shared_axis {
+  static constexpr void tell(text& m) {
+    const auto axis = axis_in_words(Axes(), repeated_in<Axes>::first());
+    m << "body.duplicate: the parts ";
+    const char* between = "`";
+    const auto add = [&](bool shares, std::string_view part) {
+      if (!shares) return;
+      m << between << part << "`";
+      between = " and `";
+    };
+    (add(has<typename Parts::chain::axes>(axis), Parts::name), ...);
+    m << " of this body share the axis " << axis
+      << "; give each part axes of its own, and let a joint that follows an axis of another part name it by "
+         "`driven_by`";
+  }
+
+private:
+  template <class Own>
+  static constexpr bool has(std::string_view axis) {
+    for (int i = 0; i < Own::count; ++i)
+      if (axis_in_words(Own(), i) == axis) return true;
+    return false;
+  }
+};
+template <class Body, fixed_string Part>
+struct unknown_part {
+  static constexpr void tell(text& m) {
+    m << "body.unknown_part: the body " << type_name<Body>() << " has no part `" << Part.view()
+      << "` (the name in cca::part<name, chain>)";
+    tell_names(m, Part.view(), Body::attached::names);
+  }
+};
+
+// Each rule is reported for the first part that breaks it, loops before unattached parts.
 template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_cycles() {
   if constexpr (Index < sizeof...(Parts)) {
     using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
-    if constexpr (decltype(check_tree<part, !Attachments::template closes_loop<part, Index>>())::value)
-      return check_cycles<Attachments, Index + 1, Parts...>();
+    constexpr bool is_tree = !Attachments::template closes_loop<part, Index>;
+    static_assert(
+        holds_or_tells<is_tree,
+                       closed_loop<Attachments, Index, part, typename Attachments::base_frame>>::value);
+    if constexpr (is_tree) return check_cycles<Attachments, Index + 1, Parts...>();
     else return std::false_type{};
   } else {
     return std::true_type{};
@@ -124,8 +189,10 @@ template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_attached() {
   if constexpr (Index < sizeof...(Parts)) {
     using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
-    if constexpr (decltype(check_parent<part, Attachments::parent[Index] != Attachments::nothing>())::value)
-      return check_attached<Attachments, Index + 1, Parts...>();
+    constexpr bool is_attached = Attachments::parent[Index] != Attachments::nothing;
+    static_assert(
+        holds_or_tells<is_attached, hangs_on_nothing<part, typename Attachments::base_frame>>::value);
+    if constexpr (is_attached) return check_attached<Attachments, Index + 1, Parts...>();
     else return std::false_type{};
   } else {
     return std::true_type{};
@@ -145,12 +212,9 @@ struct joined_axes<axes<A...>, axes<B...>, Rest...> : joined_axes<axes<A..., B..
 template <class Base, class... Parts>
 constexpr auto check_body() {
   using all = attachments<Base, Parts...>;
-  static_assert(all::distinct,
-                "body.duplicate: two parts of this body have the same name, by which kinematics and "
-                "descriptions find them; give each part a name of its own");
-  static_assert(repeated_in<typename joined_axes<typename Parts::chain::axes...>::type>::first() < 0,
-                "body.duplicate: two parts of this body share an axis; give each part axes of its own, and "
-                "let a joint that follows an axis of another part name it by `driven_by`");
+  using all_axes = typename joined_axes<typename Parts::chain::axes...>::type;
+  static_assert(holds_or_tells<all::distinct, two_parts_of_one_name<all>>::value);
+  static_assert(holds_or_tells<(repeated_in<all_axes>::first() < 0), shared_axis<all_axes, Parts...>>::value);
   if constexpr (decltype(check_cycles<all, 0, Parts...>())::value) return check_attached<all, 0, Parts...>();
   else return std::false_type{};
 }
@@ -218,16 +282,26 @@ template <class Part, class Graph> concept DrivenIn = [] {
   return true;
 }();
 
+template <class Part, class Graph>
+struct driven_by_unknown {
+  static constexpr void tell(text& m) {
+    for (const auto name : Part::nodes::names)
+      if (!has_resource<Graph>(name)) {
+        m << "body.unattached: the part `" << Part::name << "` of this body is driven by the resource node `"
+          << name << "`, which " << type_name<Graph>()
+          << " lacks: a node with `sense` or `act` and that name; add it, or correct the name (for a node of "
+             "an inner graph, its path)";
+        return;
+      }
+  }
+};
 template <class Graph, class... Parts>
 constexpr auto check_driven() {
   if constexpr (sizeof...(Parts) == 0) {
     return std::true_type{};
   } else {
     return []<class First, class... Rest>(std::type_identity<std::tuple<First, Rest...>>) {
-      static_assert(DrivenIn<First, Graph>,
-                    "body.unattached: a part of this body is driven by a resource node that the graph "
-                    "doesn't have: a node with `sense` or `act` and that name; add it, or correct the name "
-                    "(for a node of an inner graph, its path)");
+      static_assert(holds_or_tells<DrivenIn<First, Graph>, driven_by_unknown<First, Graph>>::value);
       if constexpr (DrivenIn<First, Graph>) return check_driven<Graph, Rest...>();
       else return std::false_type{};
     }(std::type_identity<std::tuple<Parts...>>());

@@ -49,19 +49,41 @@ struct body_as_chain {
   using base = typename Type::base_frame;
 };
 
-template <class Body, class Domain, class Space, bool HasAxes = MovedWithin<body_as_chain<Body>, Space>>
+template <class Space, class Domain>
+struct other_joint_space {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: " << space_in_words<Space>() << " stands where a space of " << type_name<Domain>()
+      << " does: the spaces of the dynamics of a body are of joint angles, velocities, accelerations and "
+         "torques, in this order";
+  }
+};
+template <class Body, class Space>
+struct space_lacks_axis {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: " << space_in_words<Space>() << " lacks the axis "
+      << missing_axis_in_words<typename Space::axes>(axes_of<Body>()) << " of the body " << type_name<Body>()
+      << "; it must have all axes of the body";
+  }
+};
+template <class Body, class Space>
+struct torques_of_other_axes {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the torques of the body " << type_name<Body>() << " are " << space_in_words<Space>()
+      << ", but have exactly its axes, " << axes_in_words<axes_of<Body>>() << ", all of them and no others";
+  }
+};
+
+template <class Body, class Domain, class Space>
 constexpr auto check_axes() {
-  static_assert(std::is_same_v<typename Space::domain, Domain>,
-                "space.mismatch: the spaces of a body's dynamics are of joint angles, velocities, "
-                "accelerations and torques, in this order");
-  static_assert(HasAxes,
-                "space.mismatch: this space lacks an axis of the body; it must have all axes of the body");
+  static_assert(holds_or_tells<std::is_same_v<typename Space::domain, Domain>,
+                               other_joint_space<Space, Domain>>::value);
+  static_assert(
+      holds_or_tells<MovedWithin<body_as_chain<Body>, Space>, space_lacks_axis<Body, Space>>::value);
 }
-template <class Body, class Space, bool HasAxes = MovedBy<body_as_chain<Body>, Space>>
+template <class Body, class Space>
 constexpr auto check_torques() {
-  static_assert(HasAxes,
-                "space.mismatch: the torques of a body have exactly the axes of the body, all of them and no "
-                "others");
+  static_assert(
+      holds_or_tells<MovedBy<body_as_chain<Body>, Space>, torques_of_other_axes<Body, Space>>::value);
 }
 
 template <class Attitude>

@@ -118,9 +118,7 @@ private:
   template <fixed_string Part>
   static constexpr std::size_t number() {
     constexpr int i = part_index<Type>(Part.view());
-    static_assert(i >= 0,
-                  "body.unknown_part: this body has no part with that name; the names are those in "
-                  "cca::part<name, chain>");
+    static_assert(detail::holds_or_tells<(i >= 0), detail::unknown_part<Type, Part>>::value);
     return i < 0 ? 0 : static_cast<std::size_t>(i);
   }
 

@@ -40,15 +40,54 @@ constexpr void attach(Base& tree, std::size_t& used, std::size_t part, int on, i
   tree.ends[part] = {end.link, end.where * Chain::tip};
 }
 
+// Of a body: the first joint of a part that is driven by a coordinate which its chain lacks.
+template <class... Parts>
+struct unknown_coordinate {
+  static constexpr void tell(text& m) { (void)(one<Parts>(m) || ...); }
+
+private:
+  template <class Part>
+  static constexpr bool one(text& m) {
+    using chain = typename Part::chain;
+    constexpr int joint = joint_without_coordinate<chain>;
+    if constexpr (joint >= 0)
+      m << "body.unknown_axis: joint " << joint << " of the part `" << Part::name
+        << "` is driven by coordinate " << own_coordinate<chain>(static_cast<std::size_t>(joint))
+        << ", and its chain has " << chain::axes::count << (chain::axes::count == 1 ? " axis (" : " axes (")
+        << axes_in_words<typename chain::axes>()
+        << "), counted from 0: add the axis to the chain, or correct the number in `driven_by`";
+    return joint >= 0;
+  }
+};
+// The same of one that follows an axis by its name.
+template <class Axes, class... Parts>
+struct unknown_followed_axis;
+template <class... Axes, class... Parts>
+struct unknown_followed_axis<axes<Axes...>, Parts...> {
+  static constexpr void tell(text& m) { (void)(one<Parts>(m) || ...); }
+
+private:
+  template <class Part>
+  static constexpr bool one(text& m) {
+    for (std::size_t i = 0; i < Part::chain::joints.size(); ++i) {
+      const std::string_view name = Part::chain::joints[i].follows;
+      if (name.empty() || axis_by_name(axes<Axes...>(), name) >= 0) continue;
+      m << "body.unknown_axis: joint " << static_cast<std::int64_t>(i) << " of the part `" << Part::name
+        << "` follows the axis `" << name << "` (`driven_by`), which no part of the body has";
+      tell_names(m, name, std::array<std::string_view, sizeof...(Axes)>{Axes::name...});
+      return true;
+    }
+    return false;
+  }
+};
+
 template <class Body, class Parts>
 struct tree_facts;
 template <class Body, class... Parts>
 struct tree_facts<Body, std::tuple<Parts...>> {
   static constexpr std::size_t count = sizeof...(Parts), links = (Parts::chain::joints.size() + ... + 0u);
-  static_assert((own_coordinates_exist<typename Parts::chain> && ...),
-                "body.unknown_axis: a joint of this body is driven by a coordinate for which its chain has "
-                "no axis; add the axis to the chain, or correct the number in `driven_by`, which counts "
-                "the axes of the chain from 0");
+  static_assert(holds_or_tells<((joint_without_coordinate<typename Parts::chain> < 0) && ...),
+                               unknown_coordinate<Parts...>>::value);
 
   static constexpr auto value = [] {
     body_tree<links, count> tree;
@@ -76,14 +115,20 @@ struct tree_facts<Body, std::tuple<Parts...>> {
       if (l.coordinate < 0) return false;
     return true;
   }();
-  static_assert(axes_exist,
-                "body.unknown_axis: a joint of this body follows an axis that no part of the body has; "
-                "correct the name "
-                "in `driven_by`, or add the part that has this axis");
+  static_assert(holds_or_tells<axes_exist, unknown_followed_axis<typename Body::axes, Parts...>>::value);
 };
 
 template <class Body>
 inline constexpr const auto& body_tree_of = tree_facts<Body, typename Body::parts>::value;
+
+template <class Body>
+struct body_without_mass {
+  static constexpr void tell(text& m) {
+    m << "body.no_inertia: no link of the body " << type_name<Body>()
+      << " has a mass, so it has no dynamics, only kinematics; give its chains the inertia of each link, "
+         "`links`";
+  }
+};
 
 // The same links, for dynamics.
 template <class Body>
@@ -94,9 +139,7 @@ struct weighed {
       if (l.inertia.mass > 0) return true;
     return links.empty();
   }();
-  static_assert(has_inertia,
-                "body.no_inertia: no link of this body has a mass, so it has no dynamics, only kinematics; "
-                "give its chains the inertia of each link, `links`");
+  static_assert(holds_or_tells<has_inertia, body_without_mass<Body>>::value);
 };
 template <class Body>
 inline constexpr const auto& weighed_links_of = weighed<Body>::links;

@@ -9,13 +9,16 @@
 // another process runs its component.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/nearest.hpp>
 #include <cca/base/refused.hpp>
+#include <cca/graph/plan/paths.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/state.hpp>
 
@@ -49,6 +52,28 @@ constexpr bool is_input(std::string_view path) {
   return false;
 }
 
+template <class Graph, fixed_string Path>
+struct unknown_input {
+  static constexpr void tell(text& m) {
+    m << "wire.unknown_port: dropped<`" << Path.view() << "`>() names no input of " << type_name<Graph>();
+    text best;
+    auto least = std::max<std::size_t>(1, Path.view().size() / 3) + 1;
+    const flat_view g = plan_of<Graph>.view();
+    for (int c = 0; c < counts_of<Graph>.call_count; ++c)
+      for (int p = 0; p < g.calls[c].function->input_count; ++p) {
+        text path;
+        add_node_path(path, g, g.calls[c].node);
+        path << "." << g.calls[c].function->inputs[p].name;
+        if (const auto distance = edit_distance(Path.view(), path.view()); distance < least) {
+          least = distance;
+          best = path;
+        }
+      }
+    if (best.size > 0) m << "; did you mean `" << best.view() << "`?";
+    else m << ": write `node.port`, from the outermost graph on";
+  }
+};
+
 // `Self` has for_each_state(f): f.template operator()<Graph>(state) for the state of each loop that it runs,
 // and refuse_if_elsewhere(node).
 template <class Self, class Graph>
@@ -56,9 +81,7 @@ class dropped_samples {
 public:
   template <fixed_string Path>
   std::int64_t dropped() const {
-    static_assert(is_input<Graph>(Path.view()),
-                  "wire.unknown_port: c.dropped<...>() names no input (the compiler prints the path): write "
-                  "`node.port`, from the outermost graph on");
+    static_assert(holds_or_tells<is_input<Graph>(Path.view()), unknown_input<Graph, Path>>::value);
     return dropped(Path.view());
   }
   std::int64_t dropped(std::string_view path) const {

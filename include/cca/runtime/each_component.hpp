@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <cca/base/refused.hpp>
+#include <cca/graph/diagnosis/nearest_node.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/runtime/state.hpp>
 
@@ -39,8 +40,12 @@ void for_each_node_at(std::string_view path, const char* call, F f) {
       found = true;
       f(node);
     }
-  if (!found)
-    throw refused(std::string("cca::controller: ") + call + ": there is no node `" + std::string(path) + "`");
+  if (found) return;
+  std::string said = "cca::controller: ";  // append: docs/compilers.md
+  said.append(call).append(": there is no node `").append(path).append("`");
+  if (const text near = nearest_node(plan_of<Graph>.view(), path); near.size > 0)
+    said.append("; did you mean `").append(near.view()).append("`?");
+  throw refused(said);
 }
 
 template <class Graph>

@@ -10,6 +10,7 @@
 #include <string>
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/fault.hpp>
@@ -188,18 +189,49 @@ inline constexpr bool has_pace<First, Second, Others...> = Pace<Second>;
 
 template <class... Arguments> concept RunArguments = has_duration<Arguments...> && has_pace<Arguments...>;
 
-// What run() is given otherwise, in a sentence. Only the first mistake is told: who leaves out the duration
-// may mean the right pace.
+// What run() is given otherwise.
+template <class Argument>
+constexpr std::string_view argument_in_words() {
+  constexpr auto name = type_name<std::remove_cvref_t<Argument>>();
+  return name.find("lambda") != name.npos ? "a function" : name;
+}
+template <class... Arguments>
+struct no_duration {
+  static constexpr void tell(text& m) {
+    m << "run.no_duration: the first argument of run() is no duration";
+    first<Arguments...>(m);
+    m << ": write cca::for_<10>{} for seconds, cca::for_beats<200>{}, cca::for_some_beats{n} for a number "
+         "that is known at run time, or cca::without_end{}";
+  }
+
+private:
+  template <class... None>
+    requires(sizeof...(None) == 0)
+  static constexpr void first(text& m) {
+    m << ", for there is none";
+  }
+  template <class First, class... Others>
+  static constexpr void first(text& m) {
+    m << " but `" << argument_in_words<First>() << "`";
+  }
+};
+template <class...>
+struct no_pace;
+template <class First, class Second, class... Others>
+struct no_pace<First, Second, Others...> {
+  static constexpr void tell(text& m) {
+    m << "run.no_pace: the second argument of run() is no pace but `" << argument_in_words<Second>()
+      << "`: write cca::as_fast_as_possible{} or cca::at_wall_clock() after the duration, and third what is "
+         "called between two beats, a function or a cca::live_access";
+  }
+};
+
+// Only the first mistake is told: who leaves out the duration may mean the right pace.
 template <class... Arguments>
 consteval state refuse_run() {
-  static_assert(has_duration<Arguments...>,
-                "run.no_duration: the first argument of run() is no duration: write cca::for_<10>{} for "
-                "seconds, cca::for_beats<200>{}, cca::for_some_beats{n} for a number that is known at run "
-                "time, or cca::without_end{}");
-  static_assert(!has_duration<Arguments...> || has_pace<Arguments...>,
-                "run.no_pace: the second argument of run() is no pace: write cca::as_fast_as_possible{} or "
-                "cca::at_wall_clock() after the duration, and third what is called between two beats, a "
-                "function or a cca::live_access");
+  static_assert(holds_or_tells<has_duration<Arguments...>, no_duration<Arguments...>>::value);
+  static_assert(
+      holds_or_tells<(!has_duration<Arguments...> || has_pace<Arguments...>), no_pace<Arguments...>>::value);
   return {};
 }
 

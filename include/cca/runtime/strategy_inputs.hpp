@@ -1,8 +1,13 @@
 // What a strategy sees of the inputs of its component, where it is asked at run time.
 #pragma once
 
+#include <array>
+#include <span>
+#include <string_view>
 #include <tuple>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/messages/tell_names.hpp>
 #include <cca/graph/plan/paths.hpp>
 #include <cca/runtime/observe.hpp>
 
@@ -23,26 +28,21 @@ CCA_INLINE beat beat_of(std::int64_t k, const last_firing& self) {
   return {k, counts_of<Graph>.period, beats_since<Graph, Call>(k, self)};
 }
 
-// The path of a component, as a template argument that the compilers print.
-template <class Graph, int Node>
-consteval auto path_of_node() {
-  constexpr text path = [] {
-    const auto& plan = plan_of<Graph>;
-    text t;
-    add_node_path(t, plan.view(), Node);
-    return t;
-  }();
-  char letters[path.size + 1]{};
-  for (std::size_t i = 0; i < path.size; ++i) letters[i] = path.letters[i];
-  return fixed_string<path.size + 1>(letters);
-}
-template <fixed_string Node, class Component, fixed_string Input, bool HasInput>
-constexpr auto check_input() {
-  static_assert(HasInput,
-                "strategy.unknown_port: the strategy of this node reads an input that its component does not "
-                "have (the compiler names the node, the component and the input): read one that the "
-                "component has, or give the node another strategy");
-}
+template <class Graph, int Call, class Component, fixed_string Input>
+struct unknown_input_read {
+  static constexpr void tell(text& m) {
+    const function_info& function = *call_of<Graph, Call>.function;
+    std::array<std::string_view, 64> names{};
+    std::size_t count = 0;
+    for (int p = 0; p < function.input_count && count < names.size(); ++p)
+      names[count++] = function.inputs[p].name;
+    m << "strategy.unknown_port: the strategy of the node `";
+    add_node_path(m, plan_of<Graph>.view(), call_of<Graph, Call>.node);
+    m << "` reads the input `" << Input.view() << "`, which its component, " << type_name<Component>()
+      << ", lacks";
+    tell_names(m, Input.view(), std::span(names.data(), count));
+  }
+};
 
 // What a strategy is given of a call's inputs. component/strategy.hpp says what each function is.
 template <class Graph, int Call, class Positions = input_positions<Graph, Call>>
@@ -156,8 +156,7 @@ private:
         if (function.inputs[p].name == Name.view()) return p;
       return -1;
     }();
-    if constexpr (position < 0)
-      check_input<path_of_node<Graph, call_of<Graph, Call>.node>(), component, Name, false>();
+    static_assert(holds_or_tells<(position >= 0), unknown_input_read<Graph, Call, component, Name>>::value);
     return position < 0 ? 0 : position;  // the message says the rest
   }
 

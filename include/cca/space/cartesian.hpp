@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/methods/linear.hpp>
 
 namespace cca {
@@ -71,11 +73,18 @@ constexpr bool is_position<cartesian_position<Frame>> = true;
 
 template <class Type> concept PositionSample = Sample<Type> && is_position<typename Type::space::domain>;
 
+template <class Space>
+struct not_spatial {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: a rotation moves samples over three axes, axes<x, y, z>, and this one is of "
+      << space_in_words<Space>();
+  }
+};
+
 // A rigid motion moves only positions over three axes, which are x, y and z in this order.
 template <class Position>
 constexpr bool spatial() {
-  static_assert(Position::space::size == 3,
-                "space.mismatch: a rotation moves positions over three axes, axes<x, y, z>");
+  static_assert(holds_or_tells<(Position::space::size == 3), not_spatial<typename Position::space>>::value);
   return Position::space::size == 3;
 }
 

@@ -13,6 +13,8 @@
 #include <array>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/twist_wrench.hpp>
 
 namespace cca {
@@ -50,6 +52,17 @@ struct cartesian_stiffness : detail::cartesian_diagonal<At, In> {
   };
 };
 
+namespace detail {
+template <class Damping, class Twist>
+struct damping_of_other_motion {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: a " << type_name<Damping>() << " meets a " << type_name<Twist>()
+      << ", which acts at another point or is expressed in another frame; bring the twist there first, with "
+         "`moved_to<point>(lever)` and `orientation.express(...)`";
+  }
+};
+}  // namespace detail
+
 template <class At, class In>
 struct cartesian_damping : detail::cartesian_diagonal<At, In> {
   static constexpr std::array<std::string_view, 6> coordinate_units{"N m s/rad", "N m s/rad", "N m s/rad",
@@ -60,10 +73,8 @@ struct cartesian_damping : detail::cartesian_diagonal<At, In> {
     template <detail::TwistSample Twist>
     auto wrench(const Twist& motion) const {
       using of = typename Twist::space::domain;
-      static_assert(SameFrame<At, typename of::at> && SameFrame<In, typename of::in>,
-                    "frame.mismatch: a damping meets a twist that acts at another point or is expressed in "
-                    "another frame; bring the twist there first, with `moved_to<point>(lever)` and "
-                    "`orientation.express(...)`");
+      static_assert(detail::holds_or_tells<(SameFrame<At, typename of::at> && SameFrame<In, typename of::in>),
+                                           detail::damping_of_other_motion<cartesian_damping, of>>::value);
       using result = sample<with_domain<typename Self::space, cca::wrench<At, In>>>;
       return result(-this->self().vector().cwiseProduct(motion.vector()),
                     detail::older(this->self().origin(), motion.origin()));

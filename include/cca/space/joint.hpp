@@ -10,6 +10,8 @@
 //   joint_damping         N m s/rad 0      sums, torque(velocities), interpolated, within_limits, clamped
 #pragma once
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/methods/circle.hpp>
 #include <cca/space/methods/linear.hpp>
 
@@ -88,6 +90,20 @@ struct joint_accelerations : detail::joint_domain {
   struct methods : detail::additive<Self> {};
 };
 
+namespace detail {
+template <class Velocities, class Self>
+inline constexpr bool velocities_along =
+    std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
+    std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>;
+template <class Space, class Self>
+struct other_velocities {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the power or the torque of " << space_in_words<typename Self::space>()
+      << " needs joint_velocities over the same axes, not " << space_in_words<Space>();
+  }
+};
+}  // namespace detail
+
 struct joint_torques : detail::joint_domain {
   using quantity = torque;
 
@@ -96,9 +112,9 @@ struct joint_torques : detail::joint_domain {
     // In W; positive into the joints.
     template <Sample Velocities>
     constexpr double power(const Velocities& velocities) const {
-      static_assert(std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
-                        std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
-                    "space.mismatch: the power of joint torques needs joint_velocities over the same axes");
+      static_assert(
+          detail::holds_or_tells<detail::velocities_along<Velocities, Self>,
+                                 detail::other_velocities<typename Velocities::space, Self>>::value);
       return this->self().vector().dot(velocities.vector());
     }
   };
@@ -127,9 +143,9 @@ struct joint_damping : detail::joint_domain {
     // In N m, against the motion.
     template <Sample Velocities>
     constexpr auto torque(const Velocities& velocities) const {
-      static_assert(std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
-                        std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
-                    "space.mismatch: the torque of joint damping needs joint_velocities over the same axes");
+      static_assert(
+          detail::holds_or_tells<detail::velocities_along<Velocities, Self>,
+                                 detail::other_velocities<typename Velocities::space, Self>>::value);
       using vector = typename Self::space::vector_type;
       return vector(-this->self().vector().cwiseProduct(velocities.vector()));
     }

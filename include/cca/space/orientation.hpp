@@ -17,6 +17,8 @@
 #include <array>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/cartesian.hpp>
 #include <cca/space/methods/rotation.hpp>
 #include <cca/space/sample.hpp>
@@ -36,6 +38,25 @@ template <class Domain>
 constexpr bool is_orientation = false;
 template <class Frame>
 constexpr bool is_orientation<orientation<Frame>> = true;
+
+template <class A, class B>
+struct orientations_in_two_frames {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: two orientations are composed that are rotations in different frames, "
+      << type_name<A>() << " and " << type_name<B>()
+      << "; bring both into one frame first (`express(...)` of the orientation of a thing takes what is "
+         "given along its axes)";
+  }
+};
+template <class Frame, class Position>
+struct rotated_in_other_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: a position of " << space_in_words<Position>()
+      << " is rotated by an orientation of another frame, " << type_name<Frame>()
+      << "; if the position is given along the axes of the thing whose orientation this is, use "
+         "`express(position)`";
+  }
+};
 
 template <class Type> concept OrientationSample =
     Sample<Type> && is_orientation<typename Type::space::domain>;
@@ -116,10 +137,9 @@ struct orientation {
     // First rotates by b, then by this one.
     template <detail::OrientationSample Other>
     Self operator*(const Other& b) const {
-      static_assert(SameFrame<Frame, typename Other::space::domain::frame>,
-                    "frame.mismatch: two orientations are composed that are rotations in different frames; "
-                    "bring both into one frame first (`express(...)` of a thing's orientation takes what is "
-                    "given along the thing's axes)");
+      using other = typename Other::space::domain::frame;
+      static_assert(detail::holds_or_tells<SameFrame<Frame, other>,
+                                           detail::orientations_in_two_frames<Frame, other>>::value);
       return Self(rotation::product(this->self().vector(), b.vector()),
                   detail::older(this->self().origin(), b.origin()));
     }
@@ -171,10 +191,9 @@ struct orientation {
     vector_3 rotate(const vector_3& v) const { return rotation::rotate(this->self().vector(), v); }
     template <detail::PositionSample Position>
     auto rotate(const Position& p) const {
-      static_assert(SameFrame<Frame, typename Position::space::domain::frame>,
-                    "frame.mismatch: a position is rotated by an orientation of another frame; if the "
-                    "position is given along the axes of the thing whose orientation this is, use "
-                    "`express(position)`");
+      static_assert(
+          detail::holds_or_tells<SameFrame<Frame, typename Position::space::domain::frame>,
+                                 detail::rotated_in_other_frame<Frame, typename Position::space>>::value);
       using result = sample<typename Position::space>;
       if constexpr (detail::spatial<Position>())
         return result(rotation::rotate(this->self().vector(), p.vector()),
@@ -187,8 +206,8 @@ struct orientation {
     // pose.
     template <Sample Other>
     auto express(const Other& s) const {
-      static_assert(Other::space::size % 3 == 0,
-                    "space.mismatch: a rotation moves samples over three axes, axes<x, y, z>");
+      static_assert(detail::holds_or_tells<(Other::space::size % 3 == 0),
+                                           detail::not_spatial<typename Other::space>>::value);
       return detail::express<Other, Frame>(detail::rotated(this->self().vector(), s.vector()),
                                            detail::older(this->self().origin(), s.origin()));
     }

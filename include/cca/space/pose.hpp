@@ -12,6 +12,8 @@
 #include <array>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/orientation.hpp>
 
 namespace cca {
@@ -25,6 +27,32 @@ template <class Domain>
 constexpr bool is_pose = false;
 template <class Frame>
 constexpr bool is_pose<pose<Frame>> = true;
+
+template <class A, class B>
+struct poses_in_two_frames {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: two poses are composed that are motions in different frames, " << type_name<A>()
+      << " and " << type_name<B>()
+      << "; bring both into one frame first (`express(...)` of the pose of a thing takes what is given in "
+         "its frame)";
+  }
+};
+template <class Frame, class Position, class Orientation>
+struct pose_of_other_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: a pose in " << type_name<Frame>()
+      << " is made of a position and an orientation in its own frame, not of " << space_in_words<Position>()
+      << " and " << space_in_words<Orientation>() << "; bring both there first, with `express(...)`";
+  }
+};
+template <class Frame, class Position>
+struct moved_in_other_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: a position of " << space_in_words<Position>()
+      << " is moved by a pose of another frame, " << type_name<Frame>()
+      << "; if the position is given in the frame of the thing whose pose this is, use `express(position)`";
+  }
+};
 
 template <class Type> concept PoseSample = Sample<Type> && is_pose<typename Type::space::domain>;
 
@@ -51,10 +79,10 @@ struct pose {
     // The pose's two parts, as samples.
     template <detail::PositionSample Position, detail::OrientationSample Orientation>
     static Self of(const Position& p, const Orientation& o) {
-      static_assert(SameFrame<Frame, typename Position::space::domain::frame> &&
-                        SameFrame<Frame, typename Orientation::space::domain::frame>,
-                    "frame.mismatch: a pose is made of a position and an orientation in its own frame, but "
-                    "one of these is in another; bring it there first, with `express(...)`");
+      static_assert(detail::holds_or_tells<(SameFrame<Frame, typename Position::space::domain::frame> &&
+                                            SameFrame<Frame, typename Orientation::space::domain::frame>),
+                                           detail::pose_of_other_frame<Frame, typename Position::space,
+                                                                       typename Orientation::space>>::value);
       return make(p.vector(), o.vector(), detail::older(p.origin(), o.origin()));
     }
     auto position() const {
@@ -69,11 +97,9 @@ struct pose {
     // First moves by b, then by this one.
     template <detail::PoseSample Other>
     Self operator*(const Other& b) const {
+      using other = typename Other::space::domain::frame;
       static_assert(
-          SameFrame<Frame, typename Other::space::domain::frame>,
-          "frame.mismatch: two poses are composed that are motions in different frames; bring both "
-          "into one frame first (`express(...)` of a thing's pose takes what is given in the thing's "
-          "frame)");
+          detail::holds_or_tells<SameFrame<Frame, other>, detail::poses_in_two_frames<Frame, other>>::value);
       return make(moved(vector_3(b.vector().template head<3>())),
                   rotation::product(quaternion(), vector_4(b.vector().template tail<4>())),
                   detail::older(this->self().origin(), b.origin()));
@@ -86,9 +112,9 @@ struct pose {
     // Moves a point of Frame within Frame.
     template <detail::PositionSample Position>
     auto transform(const Position& p) const {
-      static_assert(SameFrame<Frame, typename Position::space::domain::frame>,
-                    "frame.mismatch: a position is moved by a pose of another frame; if the position is "
-                    "given in the frame of the thing whose pose this is, use `express(position)`");
+      static_assert(
+          detail::holds_or_tells<SameFrame<Frame, typename Position::space::domain::frame>,
+                                 detail::moved_in_other_frame<Frame, typename Position::space>>::value);
       using result = sample<typename Position::space>;
       if constexpr (detail::spatial<Position>())
         return result(moved(p.vector()), detail::older(this->self().origin(), p.origin()));

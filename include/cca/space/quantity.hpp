@@ -18,6 +18,7 @@
 #include <type_traits>
 
 #include <cca/base/compiler.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 
 namespace cca {
 
@@ -144,15 +145,19 @@ template <class Type> concept Quantity = requires(const Type range) {
 namespace detail {
 
 template <class Quantity>
+struct no_on_nan {
+  static constexpr void tell(text& m) {
+    m << "quantity.on_nan: the quantity " << type_name<Quantity>()
+      << " does not say what a limiter does with a command that is NaN: add `static constexpr auto on_nan = "
+         "cca::nan_policy::hold;` to it (keep the last command), or `cca::nan_policy::zero` (go to zero)";
+  }
+};
+template <class Quantity>
 constexpr bool states_on_nan() {
   constexpr bool states = requires {
     { Quantity::on_nan } -> std::convertible_to<nan_policy>;
   };
-  static_assert(
-      states,
-      "quantity.on_nan: this quantity does not say what a limiter does with a command that is NaN: add "
-      "`static constexpr auto on_nan = cca::nan_policy::hold;` to it (keep the last command), or "
-      "`cca::nan_policy::zero` (go to zero)");
+  static_assert(holds_or_tells<states, no_on_nan<Quantity>>::value);
   return true;
 }
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/origin.hpp>
 #include <cca/space/space.hpp>
 
@@ -82,7 +84,8 @@ public:
 
   template <class Axis>
   constexpr double operator[](Axis) const {
-    static_assert(Space::axes::template contains<Axis>, "cca::sample: this space has no such axis");
+    static_assert(detail::holds_or_tells<Space::axes::template contains<Axis>,
+                                         detail::unknown_axis<Space, Axis>>::value);
     static_assert(Space::size == Space::axes::count, "cca::sample: this domain type has no value per axis");
     return vector().coeff(Space::axes::template index_of<Axis>);
   }

@@ -14,18 +14,26 @@
 
 #include <cca/space/dimension.hpp>
 #include <cca/base/eigen.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 
 namespace cca {
 
 namespace detail {
 
-// A function: after a failed static_assert in a struct, the compiler would not know the struct's members.
+template <auto Hz>
+struct rate_not_positive {
+  static constexpr void tell(text& m) {
+    m << "rate.missing: `cca::rate<" << static_cast<double>(Hz)
+      << ">` is no rate, which is a number of updates per second above 0, as `cca::rate<1000>`; where none "
+         "is "
+         "meant, leave it out";
+  }
+};
+
 template <auto Hz>
 consteval double checked_rate() {
   constexpr bool is_positive = Hz > 0;
-  static_assert(is_positive,
-                "rate.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; "
-                "where none is meant, leave it out");
+  static_assert(holds_or_tells<is_positive, rate_not_positive<Hz>>::value);
   return is_positive ? static_cast<double>(Hz) : 1;
 }
 
@@ -69,11 +77,37 @@ struct no_domain {
   struct methods {};
 };
 
-template <class Axes>
+template <class Axes, class Domain>
+struct no_axes {
+  static constexpr void tell(text& m) {
+    m << "space.bad_axes: the second argument of a space is the list of its axes, and that of a cca::space<"
+      << type_name<Domain>();
+    if constexpr (std::is_void_v<Axes>) m << "> is missing";
+    else m << ", ...> is `" << type_name<Axes>() << "`";
+    m << ": write them as in `struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};`";
+  }
+};
+template <class Domain>
+struct no_domain_type {
+  static constexpr void tell(text& m) {
+    m << "space.bad_domain: the first argument of a space is a domain type, as cca::joint_angles, and `"
+      << type_name<Domain>()
+      << "` is none; a type of your own is one if it states `quantity`, `actuated`, `width`, `zero` and "
+         "`methods`: see CONTRIBUTING.md, `How to add a domain type`";
+  }
+};
+template <class Domain>
+struct domain_without_quantity {
+  static constexpr void tell(text& m) {
+    m << "space.bad_domain: the domain type " << type_name<Domain>()
+      << " does not say what is measured along its axes: add `using quantity = cca::angle;` or another "
+         "quantity to it, or `using quantity = void;` for none";
+  }
+};
+
+template <class Axes, class Domain>
 constexpr auto axes_or_refused() {
-  static_assert(is_axes<Axes>,
-                "space.bad_axes: the second argument of a space is the list of its axes, as in `struct "
-                "leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};`");
+  static_assert(holds_or_tells<is_axes<Axes>, no_axes<Axes, Domain>>::value);
   return std::type_identity<std::conditional_t<is_axes<Axes>, Axes, axes<x>>>{};
 }
 
@@ -85,13 +119,8 @@ constexpr auto domain_or_refused() {
     { Domain::actuated } -> std::convertible_to<bool>;
   };
   constexpr bool has_quantity = requires { typename Domain::quantity; };
-  static_assert(is_domain,
-                "space.bad_domain: the first argument of a space is a domain type, as cca::joint_angles; a "
-                "type of your own is one if it states `quantity`, `actuated`, `width`, `zero` and `methods`: "
-                "see CONTRIBUTING.md, \"How to add a domain type\"");
-  static_assert(!is_domain || has_quantity,
-                "space.bad_domain: this domain type does not say what is measured along its axes: add `using "
-                "quantity = cca::angle;` or another quantity to it, or `using quantity = void;` for none");
+  static_assert(holds_or_tells<is_domain, no_domain_type<Domain>>::value);
+  static_assert(holds_or_tells<(!is_domain || has_quantity), domain_without_quantity<Domain>>::value);
   return std::type_identity<std::conditional_t<is_domain && has_quantity, Domain, no_domain>>{};
 }
 
@@ -101,7 +130,7 @@ constexpr auto domain_or_refused() {
 template <class Domain, class Axes = void, class Rate = void>
 struct space {
   using domain = typename decltype(detail::domain_or_refused<Domain>())::type;
-  using axes = typename decltype(detail::axes_or_refused<Axes>())::type;
+  using axes = typename decltype(detail::axes_or_refused<Axes, Domain>())::type;
   using rate = Rate;
   static constexpr int size = domain::width(axes::count);  // stored coordinates; an orientation has four
   using vector_type = Eigen::Matrix<double, size, 1>;

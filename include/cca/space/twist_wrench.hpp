@@ -13,6 +13,8 @@
 #include <array>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/orientation.hpp>
 
 namespace cca {
@@ -34,13 +36,37 @@ struct spatial_domain {
   static constexpr double zero(int, int) { return 0; }
 };
 
+template <class In, class Lever>
+struct lever_in_other_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: the lever arm is expressed in " << type_name<Lever>()
+      << ", but the twist or wrench in " << type_name<In>()
+      << "; bring one into the frame of the other first, with `express(...)` of an orientation";
+  }
+};
+template <class At, class Other>
+struct power_at_other_point {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: the power of a wrench at " << type_name<At>()
+      << " with a twist that acts at another point, " << type_name<Other>()
+      << "; move one to the point of the other first, with `moved_to<point>(lever)`";
+  }
+};
+template <class In, class Other>
+struct power_in_other_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: the power of a wrench in " << type_name<In>()
+      << " with a twist that is expressed in another frame, " << type_name<Other>()
+      << "; express one in the frame of the other first, with `orientation.express(...)`";
+  }
+};
+
 // The vector from the old point to the new one, along the axes of In.
 template <class In, class Lever>
 typename spatial_types<Lever>::vector lever_along(const Lever& lever) {
   if constexpr (Sample<Lever>) {
-    static_assert(SameFrame<In, typename Lever::space::domain::frame>,
-                  "frame.mismatch: the lever arm and the twist or wrench are expressed in different frames; "
-                  "bring one into the other's frame first, with `express(...)` of an orientation");
+    using other = typename Lever::space::domain::frame;
+    static_assert(holds_or_tells<SameFrame<In, other>, lever_in_other_frame<In, other>>::value);
     return lever.vector();
   } else {
     return lever;
@@ -101,12 +127,12 @@ struct wrench : detail::spatial_domain<At, In> {
     template <detail::TwistSample Twist>
     double power(const Twist& motion) const {
       using of = typename Twist::space::domain;
-      static_assert(SameFrame<At, typename of::at>,
-                    "frame.mismatch: the power of a wrench with a twist that acts at another point; move one "
-                    "to the other's point first, with `moved_to<point>(lever)`");
-      static_assert(!SameFrame<At, typename of::at> || SameFrame<In, typename of::in>,
-                    "frame.mismatch: the power of a wrench with a twist that is expressed in another frame; "
-                    "express one in the other's frame first, with `orientation.express(...)`");
+      using other_at = typename of::at;
+      using other_in = typename of::in;
+      static_assert(
+          detail::holds_or_tells<SameFrame<At, other_at>, detail::power_at_other_point<At, other_at>>::value);
+      static_assert(detail::holds_or_tells<(!SameFrame<At, other_at> || SameFrame<In, other_in>),
+                                           detail::power_in_other_frame<In, other_in>>::value);
       return this->self().vector().dot(motion.vector());
     }
   };

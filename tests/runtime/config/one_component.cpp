@@ -86,7 +86,8 @@ TEST_SUITE("one component") {
     CHECK_EQ(c.template get<"dmp.ode">().saves, 2);  // it is stopped, so its life-cycle allows it
     CHECK_EQ(c.template get<"cpg">().saves, 1);
     CHECK_EQ(c.state(), cca::state::started);
-    CHECK_EQ(words_of([&] { c.save("dnp", file.path); }), "cca::controller: save: there is no node `dnp`");
+    CHECK_EQ(words_of([&] { c.save("dnp", file.path); }),
+             "cca::controller: save: there is no node `dnp`; did you mean `dmp`?");
   }
 
   TEST_CASE_TEMPLATE("is loaded alone", Played, cca::controller<both>, cca::deployed<split>,

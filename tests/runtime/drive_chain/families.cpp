@@ -26,8 +26,8 @@ struct without_hint : oncilla::as_built {
   using commands = cca::robots::commands<
       cca::robots::of_joints<"stiffness", cca::robots::stiffness_command, oncilla::hip_stiffnesses>>;
 };
-static_assert(hw::detail::all_follow<oncilla::as_built, joints> &&
-              !hw::detail::all_follow<without_hint, joints>);
+static_assert(hw::detail::followers<oncilla::as_built, joints, cca::axes<>>::all &&
+              !hw::detail::followers<without_hint, joints, cca::axes<>>::all);
 
 using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
 static_assert(plan::load<0> < 0.6);

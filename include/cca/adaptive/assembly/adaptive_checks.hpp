@@ -2,8 +2,15 @@
 // control_through<...> names an existing input. Errors: criterion.spaces, wire.unknown_port.
 #pragma once
 
+#include <array>
+#include <string_view>
+#include <type_traits>
+
 #include <cca/adaptive/assembly/outer_ports.hpp>
 #include <cca/adaptive/criterion.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/nearest.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca::detail {
 
@@ -23,25 +30,36 @@ struct mapped_space<void> {
   using type = void;
 };
 
-// Functions, because compilers print their template arguments: the two spaces.
-template <class CriterionSpace, class ModuleSpace, bool Match = may_match<CriterionSpace, ModuleSpace>>
+template <class CriterionSpace, class ModuleSpace>
+struct other_target {
+  static constexpr void tell(text& m) {
+    m << "criterion.spaces: the criterion of this adaptive component measures in "
+      << space_in_words<CriterionSpace>() << ", but the target of its module is in "
+      << space_in_words<ModuleSpace>() << ": " << difference_in_words<CriterionSpace, ModuleSpace>()
+      << "; use the criterion over the space of the module, or compare with the other target: "
+         "against<criterion_target::...>";
+  }
+};
+template <class CriterionSpace, class Mapped>
+struct other_feedback {
+  static constexpr void tell(text& m) {
+    m << "criterion.spaces: the criterion of this adaptive component measures in "
+      << space_in_words<CriterionSpace>() << ", but its feedback_through<...> maps to "
+      << space_in_words<Mapped>() << ": " << difference_in_words<CriterionSpace, Mapped>()
+      << "; map the feedback to the space of the criterion";
+  }
+};
+template <class CriterionSpace, class ModuleSpace>
 constexpr bool check_target() {
-  static_assert(
-      Match,
-      "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, "
-      "frame, axes or rate) than the target of its module (the compiler prints both spaces, the criterion's "
-      "first); use the criterion over the module's space, or compare with the other target: "
-      "against<criterion_target::...>");
-  return Match;
+  constexpr bool match = may_match<CriterionSpace, ModuleSpace>;
+  static_assert(holds_or_tells<match, other_target<CriterionSpace, ModuleSpace>>::value);
+  return match;
 }
-template <class CriterionSpace, class Mapped, bool Match = may_match<CriterionSpace, Mapped>>
+template <class CriterionSpace, class Mapped>
 constexpr bool check_feedback() {
-  static_assert(Match,
-                "criterion.spaces: the criterion of this adaptive component measures in another space "
-                "(domain type, frame, axes or rate) than that to which its feedback_through<...> maps (the "
-                "compiler prints both spaces, the criterion's first); map the feedback to the criterion's "
-                "space");
-  return Match;
+  constexpr bool match = may_match<CriterionSpace, Mapped>;
+  static_assert(holds_or_tells<match, other_feedback<CriterionSpace, Mapped>>::value);
+  return match;
 }
 template <class CriterionTarget, class ModuleTarget, class CriterionFeedback, class MappedFeedback>
 constexpr bool check_criterion() {
@@ -78,12 +96,45 @@ constexpr bool
         has_control_input<Name, ModulePorts, ModuleRoles> ||
         has_control_input<Name, CriterionPorts, CriterionRoles>;
 
-template <bool All>
+template <class... Ports>
+constexpr auto names_of_ports(list<Ports...>) {
+  constexpr auto one = []<class Port>(std::type_identity<Port>) -> std::string_view {
+    if constexpr (requires { Port::name; }) return Port::name;
+    else return {};
+  };
+  return std::array<std::string_view, sizeof...(Ports)>{one(std::type_identity<Ports>())...};
+}
+
+// Whether all are found; else the first that is not.
+template <class ModulePorts, class ModuleRoles, class CriterionPorts, class CriterionRoles, class... Options>
+struct asked_controls {
+  template <class Option>
+  static constexpr bool exists =
+      control_exists<Option, ModulePorts, ModuleRoles, CriterionPorts, CriterionRoles>;
+  static constexpr bool exist = (exists<Options> && ...);
+
+  static constexpr void tell(text& m) {
+    (void)((exists<Options> || (one(m, std::type_identity<Options>()), false)) && ...);
+  }
+
+private:
+  static constexpr void one(text&, auto) {}
+  template <fixed_string Name, class M>
+  static constexpr void one(text& m, std::type_identity<control_through<Name, M>>) {
+    m << "wire.unknown_port: cca::control_through<`" << Name.view() << "`, " << type_name<M>()
+      << "> of this adaptive component names no control input of its module or its criterion";
+    auto near = nearest_name(Name.view(), names_of_ports(ModulePorts()));
+    if (near.empty()) near = nearest_name(Name.view(), names_of_ports(CriterionPorts()));
+    if (!near.empty()) m << "; did you mean `" << near << "`?";
+    else
+      m << "; reference, feedback and command have options of their own: reference_through<M>, "
+           "feedback_through<M>, command_through<M>";
+  }
+};
+
+template <class Controls>
 constexpr bool check_controls() {
-  static_assert(All,
-                "wire.unknown_port: a control_through<`name`, M> of this adaptive component names no control "
-                "input of its module or its criterion; reference, feedback and command have options of their "
-                "own: reference_through<M>, feedback_through<M>, command_through<M>");
+  static_assert(holds_or_tells<Controls::exist, Controls>::value);
   return true;
 }
 

@@ -47,8 +47,8 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
   using module_roles = roles<Reference, Command, OdeStatus, "module", "feedback">;
   using criterion_roles = roles<"target", "feedback", "error", "state">;
   static constexpr bool sound =
-      check_controls<(control_exists<Options, module_ports, module_roles, criterion_ports, criterion_roles> &&
-                      ...)>() &&
+      check_controls<
+          asked_controls<module_ports, module_roles, criterion_ports, criterion_roles, Options...>>() &&
       check_criterion<target, module_target, feedback, typename mapped_space<on_feedback>::type>();
   using placeholder = placeholder_criterion<
       std::conditional_t<std::is_void_v<module_target>, target, module_target>,

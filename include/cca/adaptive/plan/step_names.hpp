@@ -9,7 +9,6 @@
 #include <cca/base/nearest.hpp>
 #include <cca/base/text.hpp>
 #include <cca/base/type_name.hpp>
-#include <cca/graph/diagnosis/printed.hpp>
 
 namespace cca::detail {
 
@@ -42,19 +41,8 @@ constexpr text wrong_step_names() {
 }
 
 template <class Plan>
-struct said_of_steps {
-  static constexpr text said = wrong_step_names<Plan>();
-  static constexpr std::string_view view() { return said.view(); }
-};
-// Of a wrong plan a type without a size, which is the message.
-template <class Plan>
-struct refusal_of_steps {
-  using type = printed<said_of_steps<Plan>>;
-};
-template <class Plan>
-  requires(Plan::well_named())
-struct refusal_of_steps<Plan> {
-  using type = char;
+struct wrong_steps {
+  static constexpr void tell(text& m) { m << wrong_step_names<Plan>().view(); }
 };
 
 }  // namespace cca::detail

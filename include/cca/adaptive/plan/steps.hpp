@@ -1,6 +1,6 @@
 // The plan of a sequence as a type: steps by name, the condition of each, and which step may follow which
 // (sequence.hpp says what the options mean). A plan holds no numbers of a robot, so NaN does not reach it.
-// Errors: plan.bad_step.
+// Errors: plan.bad_step, plan.unknown_step.
 #pragma once
 
 #include <array>
@@ -10,10 +10,9 @@
 #include <utility>
 
 #include <cca/adaptive/plan/conditions.hpp>
-#include <cca/base/text.hpp>
-#include <cca/base/type_name.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/messages/tell_names.hpp>
 #include <cca/component/done.hpp>
-#include <cca/graph/diagnosis/printed.hpp>
 
 namespace cca {
 
@@ -135,20 +134,27 @@ template <fixed_string Name, class... Options>
 inline constexpr bool is_step<step<Name, Options...>> = true;
 
 template <class Item>
-struct said_of_no_step {
-  static constexpr text said = [] {
-    text one;
-    one << "plan.bad_step: an item of cca::steps is `" << type_name<Item>()
-        << "`, which is no step: write conditions and options inside a step, as in cca::step<`reach`, "
-           "cca::after<100>>";
-    return one;
-  }();
-  static constexpr std::string_view view() { return said.view(); }
+struct no_step {
+  static constexpr void tell(text& m) {
+    m << "plan.bad_step: an item of cca::steps is `" << type_name<Item>()
+      << "`, which is no step: write conditions and options inside a step, as in cca::step<`reach`, "
+         "cca::after<100>>";
+  }
+};
+// `Steps`: the steps of a plan.
+template <class Steps, fixed_string Name>
+struct unknown_step_at {
+  static constexpr void tell(text& m) {
+    std::array<std::string_view, Steps::table.size()> names{};
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = Steps::table[i].name;
+    m << "plan.unknown_step: at<`" << Name.view() << "`> names a step that the plan lacks";
+    tell_names(m, Name.view(), names);
+  }
 };
 // Of what is no step: nothing else is reported.
 template <class Item>
 struct step_facts {
-  static_assert(sizeof(printed<said_of_no_step<Item>>) != 0);
+  static_assert(holds_or_tells<false, no_step<Item>>::value);
   using parts = std::tuple<>;
   using condition = all<>;
   static constexpr step_info info{};
@@ -184,7 +190,8 @@ struct steps {
   }
   template <fixed_string Name>
   static constexpr int at = [] {
-    static_assert(find(Name.view()) >= 0 || !has_steps_only, "cca::steps: there is no step with this name");
+    static_assert(detail::holds_or_tells<(find(Name.view()) >= 0 || !has_steps_only),
+                                         detail::unknown_step_at<steps, Name>>::value);
     return find(Name.view());
   }();
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include <cca/graph/diagnosis/as_written.hpp>
-#include <cca/graph/diagnosis/printed.hpp>
+#include <cca/base/messages/printed.hpp>
 #include <cca/graph/layout/types.hpp>
 
 namespace cca {

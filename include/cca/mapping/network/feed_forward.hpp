@@ -29,6 +29,7 @@
 #include <string_view>
 
 #include <cca/base/eigen.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/component/input_status.hpp>
 
@@ -117,12 +118,19 @@ struct layers {
   }
 };
 
+template <int... Units>
+struct empty_layer {
+  static constexpr void tell(text& m) {
+    int layer = 0, empty = -1;  // 0: the inputs
+    ((empty = empty < 0 && Units < 1 ? layer : empty, ++layer), ...);
+    m << "mapping.bad_policy: layer " << empty
+      << " of this network has no units; each number in cca::hidden_layers<...> is at least 1";
+  }
+};
 // In a function; mapping.hpp says why.
-template <bool AllHaveUnits>
+template <int... Units>
 constexpr auto check_layers() {
-  static_assert(AllHaveUnits,
-                "mapping.bad_policy: a layer of this network has no units; each number in "
-                "cca::hidden_layers<...> is at least 1");
+  static_assert(holds_or_tells<((Units >= 1) && ...), empty_layer<Units...>>::value);
 }
 
 }  // namespace detail
@@ -130,7 +138,7 @@ constexpr auto check_layers() {
 template <class Activation, int Inputs, int... Others>
 struct feed_forward {
   static_assert(sizeof...(Others) >= 1, "cca::feed_forward: it needs a number of outputs");
-  using checked = decltype(detail::check_layers<(Inputs > 0 && ((Others > 0) && ...))>());
+  using checked = decltype(detail::check_layers<Inputs, Others...>());
   static constexpr int outputs = std::array{Others...}.back();
   static constexpr int weight_count = detail::weights_of_layers<Inputs, Others...>;
   using input = Eigen::Matrix<double, Inputs, 1>;

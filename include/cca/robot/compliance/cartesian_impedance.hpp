@@ -75,6 +75,17 @@
 
 namespace cca {
 
+namespace detail {
+template <fixed_string Part, class Along, class Base, class Tip>
+struct along_third_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: the principal axes of this Cartesian impedance of the part `" << Part.view()
+      << "` are those of " << type_name<Along>() << ", but they are those of the base of the body, "
+      << type_name<Base>() << ", or of the frame in which the part ends, " << type_name<Tip>();
+  }
+};
+}  // namespace detail
+
 template <Body Type,
           fixed_string Part,
           class Angles,
@@ -90,10 +101,8 @@ struct cartesian_impedance {
   using base = typename Type::base_frame;
   using tip = tip_of<Type, Part>;
   static constexpr bool along_reference = std::is_same_v<Along, tip>;
-  static_assert(
-      along_reference || std::is_same_v<Along, base>,
-      "frame.mismatch: the principal axes of a Cartesian impedance are those of the base of the body "
-      "or of the frame in which the part ends");
+  static_assert(detail::holds_or_tells<(along_reference || std::is_same_v<Along, base>),
+                                       detail::along_third_frame<Part, Along, base, tip>>::value);
   using vector = typename body_pose<Type>::vector_type;
   using vector_6 = Eigen::Matrix<double, 6, 1>;
 

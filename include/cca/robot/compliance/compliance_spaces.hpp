@@ -56,9 +56,7 @@ namespace detail {
 template <class Body, fixed_string Part>
 struct end_of_part {
   static constexpr int index = part_index<Body>(Part.view());
-  static_assert(index >= 0,
-                "body.unknown_part: this body has no part with that name, so nothing ends there; the names "
-                "are those in cca::part<name, chain>");
+  static_assert(holds_or_tells<(index >= 0), unknown_part<Body, Part>>::value);
   using frame = typename std::tuple_element_t<static_cast<std::size_t>(index < 0 ? 0 : index),
                                               typename Body::parts>::chain::tip_frame;
 };

@@ -87,13 +87,10 @@ public:
 
   // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
   // the deployment doesn't have, or that another process runs, and a process of another deployment.
-  template <class T = int>  // without one it is none, too
+  template <class T = detail::no_argument>
   deployed(const only& environments, const T& transport = {}) {
     here = detail::chosen_environments<D>(environments);
-    static_assert(Transport<T, D>,
-                  "deployment.no_transport: the second argument of cca::deployed is no transport: write "
-                  "cca::shared_memory(\"/name\"), cca::dds::domain(number), or an object that meets the "
-                  "concept cca::Transport (docs/transports.md: An own transport)");
+    static_assert(detail::holds_or_tells<Transport<T, D>, detail::no_transport<D, T>>::value);
     if constexpr (Transport<T, D>) {
       auto medium = transport.template open<D>(here);
       shared = {medium, medium->exchanged()};

@@ -3,11 +3,13 @@
 //   cca::deployed<split> d(cca::only{"robot"}, cca::shared_memory("/trot"));
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <cca/base/nearest.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 
@@ -23,12 +25,23 @@ struct only {
 namespace detail {
 
 template <class D>
+[[noreturn]] void refuse_environment(std::string_view name) {
+  std::array<std::string_view, environments_here<D>().size()> names{};
+  for (std::size_t e = 0; e < names.size(); ++e) names[e] = name_of_environment<D>(e);
+  std::string text = "cca::only: the deployment has no environment `";  // append: docs/compilers.md
+  text.append(name).append("`");
+  if (const auto near = nearest_name(name, names); !near.empty())
+    text.append("; did you mean `").append(near).append("`?");
+  throw refused(text);
+}
+
+template <class D>
 environments_here<D> chosen_environments(const only& environments) {
   environments_here<D> here{};
   for (const std::string& name : environments.names) {
     std::size_t e = 0;
     while (e < here.size() && name_of_environment<D>(e) != name) ++e;
-    if (e == here.size()) throw refused("cca::only: the deployment has no environment `" + name + "`");
+    if (e == here.size()) refuse_environment<D>(name);
     here[e] = true;
   }
   if (environments.names.empty()) throw refused("cca::only: it names no environment");

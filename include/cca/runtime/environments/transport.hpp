@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/peers.hpp>
 
@@ -59,5 +60,21 @@ template <class Medium, class D> concept TransportMedium =
 
 template <class T, class D> concept Transport =
     detail::Opens<T, D> && TransportMedium<typename detail::opened_by<T, D>::element_type, D>;
+
+namespace detail {
+
+struct no_argument {};
+template <class D, class T>
+struct no_transport {
+  static constexpr void tell(text& m) {
+    m << "deployment.no_transport: the second argument of cca::deployed<" << type_name<D>();
+    if (std::is_same_v<T, no_argument>) m << "> is missing";
+    else m << ">, `" << type_name<T>() << "`, is no transport";
+    m << ": write cca::shared_memory(`/name`), cca::dds::domain(number), or an object that meets the concept "
+         "cca::Transport (docs/transports.md: An own transport)";
+  }
+};
+
+}  // namespace detail
 
 }  // namespace cca

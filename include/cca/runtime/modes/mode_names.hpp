@@ -2,12 +2,15 @@
 // a component are wired.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <cca/base/fixed_string.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/messages/tell_names.hpp>
 #include <cca/base/nearest.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/modes/mode_switch.hpp>
@@ -33,6 +36,18 @@ private:
   }
 };
 
+template <class M, fixed_string Mode>
+struct unknown_mode_called {
+  static constexpr void tell(text& m) {
+    constexpr const auto& all = modes_of<M>::value;
+    std::array<std::string_view, array_size(all.count)> names{};
+    for (int i = 0; i < all.count; ++i) names[array_size(i)] = all.modes[i].name;
+    m << "modes.unknown_mode: switch_to names the mode `" << Mode.view() << "`, which " << all.name
+      << " lacks";
+    tell_names(m, Mode.view(), names);
+  }
+};
+
 template <class M>
 class mode_names {
 protected:
@@ -41,9 +56,7 @@ protected:
   template <fixed_string Mode>
   static constexpr int mode_named() {
     constexpr int number = all.number_of(Mode.view());
-    static_assert(number >= 0,
-                  "modes.unknown_mode: the set of modes has no mode of the name that switch_to names (the "
-                  "compiler says both): name one of its modes");
+    static_assert(holds_or_tells<(number >= 0), unknown_mode_called<M, Mode>>::value);
     return number;
   }
   static int number_of(std::string_view mode) {

@@ -3,13 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 #include <type_traits>
 
-#include <cca/base/text.hpp>
-#include <cca/base/type_name.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/component/parameter_check.hpp>
-#include <cca/graph/diagnosis/printed.hpp>
 
 namespace cca::detail {
 
@@ -18,23 +15,20 @@ struct kept_component {
   [[no_unique_address]] Component component;
 };
 template <class Component>
-struct said_of_no_default {
-  static constexpr text said = [] {
-    text one;
-    one << "component.no_default: a controller makes its components, so each needs a constructor without "
-           "arguments, and "
-        << type_name<Component>()
-        << " has none: give its constructor defaults; what differs between nodes is a template argument or "
-           "one of its `parameters`";
-    return one;
-  }();
-  static constexpr std::string_view view() { return said.view(); }
+struct no_default {
+  static constexpr void tell(text& m) {
+    m << "component.no_default: a controller makes its components, so each needs a constructor without "
+         "arguments, and "
+      << type_name<Component>()
+      << " has none: give its constructor defaults; what differs between nodes is a template argument or one "
+         "of its `parameters`";
+  }
 };
 // It is never made, and no error follows from that.
 template <class Component>
   requires(!std::is_default_constructible_v<Component>)
 struct kept_component<Component> {
-  static_assert(sizeof(printed<said_of_no_default<Component>>) != 0);
+  static_assert(holds_or_tells<false, no_default<Component>>::value);
   kept_component() {}
   kept_component(const kept_component&) {}
   kept_component& operator=(const kept_component&) { return *this; }

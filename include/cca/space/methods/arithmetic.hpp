@@ -35,12 +35,20 @@ constexpr auto no_vector() {
   }
 }
 
-template <class A, class B>
+template <class A, class B, char Operator>
+struct no_arithmetic {
+  static constexpr void tell(text& m) {
+    using space = typename std::conditional_t<Sample<A>, A, B>::space;
+    m << "space.arithmetic: samples of " << space_in_words<space>() << " have no such operator ";
+    m.put(Operator);
+    m << ": calculate with their numbers, as in `to.vector() - at.vector()`, or with the functions of the "
+         "domain type, as in `to.difference(at)`; docs/spaces.md lists them";
+  }
+};
+
+template <class A, class B, char Operator>
 constexpr auto refuse_arithmetic() {
-  static_assert(!SampleWith<A, B>,
-                "space.arithmetic: samples of this domain type have no such operator: calculate with their "
-                "numbers, as in `to.vector() - at.vector()`, or with the functions of the domain type, as in "
-                "`to.difference(at)`; docs/spaces.md lists them");
+  static_assert(holds_or_tells<false, no_arithmetic<A, B, Operator>>::value);
   return no_vector<A, B>();
 }
 
@@ -49,21 +57,21 @@ constexpr auto refuse_arithmetic() {
 template <class A, class B>
   requires detail::NoSum<A, B>
 constexpr auto operator+(const A&, const B&) {
-  return detail::refuse_arithmetic<A, B>();
+  return detail::refuse_arithmetic<A, B, '+'>();
 }
 template <class A, class B>
   requires detail::NoSum<A, B>
 constexpr auto operator-(const A&, const B&) {
-  return detail::refuse_arithmetic<A, B>();
+  return detail::refuse_arithmetic<A, B, '-'>();
 }
 template <class A, class B>
   requires detail::NoProduct<A, B>
 constexpr auto operator*(const A&, const B&) {
-  return detail::refuse_arithmetic<A, B>();
+  return detail::refuse_arithmetic<A, B, '*'>();
 }
 template <Sample A, detail::Numbers B>
 constexpr auto operator/(const A&, const B&) {
-  return detail::refuse_arithmetic<A, B>();
+  return detail::refuse_arithmetic<A, B, '/'>();
 }
 
 }  // namespace cca

@@ -10,8 +10,10 @@
 #include <type_traits>
 
 #include <cca/base/eigen.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/frame.hpp>
 #include <cca/space/limits.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/origin.hpp>
 #include <cca/space/quantity.hpp>
 
@@ -30,20 +32,33 @@ template <class SpaceA, class SpaceB>
 constexpr bool same_coordinates = std::is_same_v<typename SpaceA::domain, typename SpaceB::domain> &&
                                   std::is_same_v<typename SpaceA::axes, typename SpaceB::axes>;
 
+// Two samples, or what they are samples of, that an operation can't combine.
+template <class SpaceA, class SpaceB>
+struct other_frame {
+  static constexpr void tell(text& m) {
+    m << "frame.mismatch: samples of " << space_in_words<SpaceA>() << " and of " << space_in_words<SpaceB>()
+      << " are of different frames (expressed in, or acting at), so their numbers cannot be combined; bring "
+         "one into the frame of the other first, with `express(...)` or `moved_to<...>(...)`";
+  }
+};
+template <class SpaceA, class SpaceB>
+struct other_coordinates {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: samples of " << space_in_words<SpaceA>() << " and of " << space_in_words<SpaceB>()
+      << " cannot be combined: " << difference_in_words<SpaceA, SpaceB>()
+      << "; take the part that they share with `on<...>()`, or use `vector()` if you mean the bare numbers";
+  }
+};
+
 // True if an operation may combine the two samples: they need the same domain type, frame and axes.
 template <class A, class B>
 constexpr bool combinable() {
   using domain_a = typename A::space::domain;
   using domain_b = typename B::space::domain;
   constexpr bool one_frame = SameFrames<domain_a, domain_b>;
-  static_assert(SameFrames<domain_a, domain_b>,
-                "frame.mismatch: these two samples are of different frames (expressed in, or acting at), so "
-                "their numbers cannot be combined; bring one into the other's frame first, with "
-                "`express(...)` or `moved_to<...>(...)`");
-  static_assert(
-      !one_frame || same_coordinates<typename A::space, typename B::space>,
-      "space.mismatch: these two samples differ in domain type or axes, so their numbers cannot be combined; "
-      "take the part that they share with `on<...>()`, or use `vector()` if you mean the bare numbers");
+  static_assert(holds_or_tells<one_frame, other_frame<typename A::space, typename B::space>>::value);
+  static_assert(holds_or_tells<(!one_frame || same_coordinates<typename A::space, typename B::space>),
+                               other_coordinates<typename A::space, typename B::space>>::value);
   return same_coordinates<typename A::space, typename B::space>;
 }
 

@@ -30,7 +30,7 @@
 #include <cca/robot/body_pose.hpp>
 #include <cca/robots/cable_drive.hpp>
 #include <cca/robots/commands.hpp>
-#include <cca/robots/crossing.hpp>
+#include <cca/robots/description_mistakes.hpp>
 #include <cca/robots/groups.hpp>
 #include <cca/robots/line_spring.hpp>
 #include <cca/robots/motor_line.hpp>
@@ -80,13 +80,6 @@ template <class R, class... Axes, std::size_t... I>
 struct measured_axes<R, axes<Axes...>, std::index_sequence<I...>>
     : cca::detail::joined_axes<axes<>, std::conditional_t<is_measured<R>(I), axes<Axes>, axes<>>...> {};
 
-template <class R>
-constexpr bool motors_are_measured = [] {
-  for (const auto& d : R::drives)
-    if (!d.measured && d.motor.torque != 0) return false;
-  return true;
-}();
-
 }  // namespace detail
 
 // Those that its ports have, in their order.
@@ -111,58 +104,6 @@ struct sensors_of<R> {
   using type = typename R::sensors;
 };
 
-template <class Body>
-constexpr bool moves_mass = [] {
-  const auto& links = cca::detail::body_tree_of<Body>.links;
-  for (std::size_t i = 0; i < links.size(); ++i)
-    if (!(links[i].inertia.mass > 0) && crossing_after(links, i) < 0) return false;
-  return true;
-}();
-
-template <class Body, class Parts>
-struct joints_by_part;
-template <class Body, class... Parts>
-struct joints_by_part<Body, std::tuple<Parts...>> {
-  static constexpr std::array<int, sizeof...(Parts)> count{static_cast<int>(Parts::chain::joints.size())...};
-};
-
-template <class Body>
-constexpr bool place_exists(std::string_view part_name, int link) {
-  if (link == shape_on::base) return true;
-  const int part = part_index<Body>(part_name);
-  if (part < 0 || link < shape_on::tip) return false;
-  using joints = joints_by_part<Body, typename Body::parts>;
-  return link < joints::count[static_cast<std::size_t>(part)];
-}
-
-template <class R>
-constexpr bool shapes_exist = [] {
-  if constexpr (requires { R::shapes.size(); })
-    for (const shape_on& s : R::shapes)
-      if (!place_exists<typename R::body>(s.part, s.link)) return false;
-  return true;
-}();
-
-template <class R>
-constexpr bool springs_exist = [] {
-  if constexpr (requires { R::line_springs.size(); })
-    for (const line_spring& s : R::line_springs)
-      for (const point_of_robot& p : {s.from, s.to})
-        if (!place_exists<typename R::body>(p.part, p.link)) return false;
-  return true;
-}();
-
-template <class Body, class Sensor>
-constexpr bool parts_exist() {
-  for (const std::string_view part : Sensor::parts)
-    if (part_index<Body>(part) < 0 && !(is_inertial<Sensor> && part.empty())) return false;
-  return true;
-}
-template <class Body, class... Sensors>
-constexpr bool all_parts_exist(sensors<Sensors...>) {
-  return (parts_exist<Body, Sensors>() && ...);
-}
-
 template <class R>
 constexpr bool readings_exist() {
   if constexpr (requires { typename R::readings; })
@@ -177,57 +118,48 @@ using sensors_of = typename detail::sensors_of<R>::type;
 
 namespace detail {
 
+template <class R> concept HasBody = Body<typename R::body>;
+template <class R>
+using lacking = members_missing<R,
+                                HasBody<R>,
+                                requires { typename R::rate; },
+                                requires { typename R::commands; },
+                                requires { R::drives.size(); }>;
+
 template <class R>
 constexpr void check_masses() {
   using body = typename R::body;
-  static_assert(moves_mass<body>,
-                "robot.description: a link of this body has no mass, so no torque could move it; give each "
-                "link an inertia, in `links` of its chain; only a link between two hinges that cross at "
-                "right angles needs none");
-  static_assert(!floats<R> || cca::detail::base_inertia_of<body>().mass > 0,
-                "robot.description: this robot floats, but the base of its body has no mass; add "
-                "`static constexpr cca::link_inertia base{...};` to the body");
+  static_assert(cca::detail::holds_or_tells<(massless_link<body> < 0), link_without_mass<R>>::value);
+  static_assert(cca::detail::holds_or_tells<(!floats<R> || (cca::detail::base_inertia_of<body>().mass > 0)),
+                                            base_without_mass<R>>::value);
 }
 
 template <class R>
 constexpr void check_places() {
   using body = typename R::body;
-  static_assert(shapes_exist<R>,
-                "robot.description: a shape is on a part or on a link that the body doesn't have; correct "
-                "the name of the part, or the number of the link, which counts from 0 in each part");
-  static_assert(springs_exist<R>,
-                "robot.description: a spring or cable ends on a part or on a link that the body doesn't "
-                "have; correct the name of the part, or the number of the link, which counts from 0 in each "
-                "part");
-  static_assert(all_parts_exist<body>(robots::sensors_of<R>()),
-                "robot.description: a sensor is at the end of a part that the body doesn't have; correct the "
-                "name of the part, the second one in cca::robots::force_sensor<name, part>");
+  using sensors = robots::sensors_of<R>;
+  static_assert(cca::detail::holds_or_tells<(lost_shape<R> < 0), shape_on_nothing<R>>::value);
+  static_assert(cca::detail::holds_or_tells<(lost_spring<R> < 0), spring_on_nothing<R>>::value);
+  static_assert(
+      cca::detail::holds_or_tells<all_parts_exist<body>(sensors()), sensor_on_nothing<R, sensors>>::value);
 }
 
 template <class R, bool HasMasses>
 constexpr bool check() {
-  static_assert(Described<R>,
-                "robot.description: this description of a robot lacks a `body`, a `rate`, `commands` or "
-                "`drives`; state all four, as in cca/robots/description.hpp");
+  static_assert(cca::detail::holds_or_tells<Described<R>, lacking<R>>::value);
   if constexpr (Described<R>) {
     constexpr bool drives = R::drives.size() == static_cast<std::size_t>(axes_of_robot<R>::count);
-    static_assert(drives,
-                  "robot.description: `drives` has more or fewer entries than the body has axes; give one "
-                  "for each axis, in the order of cca::axes_of<body>, also for a passive joint");
+    static_assert(cca::detail::holds_or_tells<drives, wrong_drive_count<R>>::value);
     if constexpr (drives) {
-      constexpr bool measured = motors_are_measured<R>;
-      static_assert(measured,
-                    "robot.description: a joint of this robot has a motor and is not measured, so nobody "
-                    "could command it; leave out `measured = false`, or the motor");
+      constexpr bool measured = unmeasured_motor<R> < 0;
+      static_assert(cca::detail::holds_or_tells<measured, motor_not_measured<R>>::value);
       if constexpr (measured) {
+        using all = measured_axes_of<R>;
         static_assert(
-            groups_exist<measured_axes_of<R>>(typename R::commands()) && readings_exist<R>(),
-            "robot.description: a port of this robot is over an axis that its body doesn't have, or "
-            "that is not measured; take it out of the space of that group, in `commands` or "
-            "`readings`");
-        static_assert(command_once(typename R::commands()),
-                      "robot.description: a joint of this robot is in two groups with the same kind of "
-                      "command; take it out of the space of one of them, in `commands`");
+            cca::detail::holds_or_tells<(groups_exist<all>(typename R::commands()) && readings_exist<R>()),
+                                        port_over_other_axis<R, all>>::value);
+        static_assert(
+            cca::detail::holds_or_tells<command_once(typename R::commands()), commanded_twice<R>>::value);
         if constexpr (HasMasses) check_masses<R>();
         check_places<R>();
       }

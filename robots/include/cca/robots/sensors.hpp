@@ -20,8 +20,10 @@
 #include <type_traits>
 
 #include <cca/base/fixed_string.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/robot/body.hpp>
 #include <cca/robots/inertial.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/twist_wrench.hpp>
 
 namespace cca::robots {
@@ -53,6 +55,15 @@ struct sensor {
   using axes = cca::axes<x, y, z>;
 };
 
+template <fixed_string Name, class Feet, int Parts>
+struct wrong_foot_count {
+  static constexpr void tell(auto& m) {
+    m << "robot.description: the sensor `" << Name.view() << "` has " << Feet::count << " axes ("
+      << cca::detail::axes_in_words<Feet>() << ") and " << Parts << (Parts == 1 ? " part" : " parts")
+      << "; name one part for each axis, in the same order";
+  }
+};
+
 template <fixed_string Name, sensor_kind Kind, class Feet, fixed_string... Parts>
 struct sensor_of_feet {
   static constexpr auto name = Name;
@@ -60,10 +71,8 @@ struct sensor_of_feet {
   static constexpr sensor_kind kind = Kind;
   static constexpr std::array<std::string_view, sizeof...(Parts)> parts{Parts.view()...};
   using axes = Feet;
-  static_assert(
-      Feet::count == static_cast<int>(sizeof...(Parts)),
-      "robot.description: a sensor of feet has more or fewer axes than parts; name one part for each "
-      "axis, in the same order");
+  static_assert(cca::detail::holds_or_tells<(Feet::count == static_cast<int>(sizeof...(Parts))),
+                                            wrong_foot_count<Name, Feet, sizeof...(Parts)>>::value);
 };
 
 }  // namespace detail

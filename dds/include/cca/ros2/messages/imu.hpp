@@ -19,9 +19,11 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/ros2/messages/geometry.hpp>
 #include <cca/ros2/messages/header.hpp>
 #include <cca/ros2/messages/ports.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/orientation.hpp>
 
 namespace cca::ros2 {
@@ -165,9 +167,15 @@ private:
       is_rotation<Space> || is_rotation<Other> || std::is_same_v<frame_of<Space>, frame_of<Other>>;
   template <class Space>
   static constexpr bool shares_frame = (share_frame<Space, Spaces> && ...);
-  static_assert((shares_frame<Spaces> && ...),
-                "frame.mismatch: cca::ros2::imu: its angular velocity and acceleration are along the axes of "
-                "different frames, and the message has one frame_id");
+  struct in_two_frames {
+    static constexpr void tell(auto& m) {
+      m << "frame.mismatch: the angular velocity and the acceleration of a cca::ros2::imu are along the axes "
+           "of "
+           "different frames, and its message has one frame_id:";
+      ((m << " " << cca::detail::space_in_words<Spaces>()), ...);
+    }
+  };
+  static_assert(cca::detail::holds_or_tells<(shares_frame<Spaces> && ...), in_two_frames>::value);
 };
 
 }  // namespace cca::ros2

@@ -35,6 +35,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/cia402_states.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/hardware/drives/wire_number.hpp>
@@ -47,9 +48,20 @@ template <class Type> concept Cia402Motor = requires {
   requires Type::counts > 0 && Type::torque > 0;
 };
 
+namespace detail {
+template <class Motor, int Node>
+struct no_canopen_node {
+  static constexpr void tell(auto& m) {
+    m << "drive.bad_number: the node of " << Motor::name << " is " << Node
+      << ", and a node of CANopen is 1 to 127";
+  }
+};
+}  // namespace detail
+
 template <Cia402Motor Motor, std::uint8_t Node, cia402_mode Mode>
 struct cia402 {
-  static_assert(Node >= 1 && Node <= 127, "drive.bad_number: a node of CANopen is 1 to 127");
+  static_assert(
+      cca::detail::holds_or_tells<(Node >= 1 && Node <= 127), detail::no_canopen_node<Motor, Node>>::value);
   static constexpr std::uint8_t node = Node;
   static constexpr bool by_position = Mode == cia402_mode::position;
   static constexpr double counts_a_radian = Motor::counts / detail::radians_in_turn,

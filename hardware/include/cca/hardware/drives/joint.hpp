@@ -91,22 +91,54 @@ constexpr double turns_of() {
   else return std::numeric_limits<double>::infinity();
 }
 
+template <class Axis, mounting Mounting>
+struct bad_mounting {
+  static constexpr void tell(auto& m) {
+    m << "drive.bad_joint: the mounting of the joint `" << Axis::name << "` is impossible: ";
+    if (!(Mounting.gear > 0))
+      m << "its `gear` is " << Mounting.gear
+        << ", and it is above 0; a drive that turns the other way round has `sign` -1";
+    else if (Mounting.sign != 1 && Mounting.sign != -1)
+      m << "its `sign` is " << static_cast<double>(Mounting.sign) << ", and it is 1 or -1";
+    else m << "its `wraps` is " << Mounting.wraps << ", and it is the width of a range, or 0";
+  }
+};
+template <class Axis, joint_servo Servo>
+struct bad_safe_damping {
+  static constexpr void tell(auto& m) {
+    m << "drive.bad_joint: `safe_damping` of the servo of the joint `" << Axis::name
+      << "`, with which it stops, is " << Servo.safe_damping
+      << (Servo.safe_damping < 0 ? ", below 0" : ", above its `most_damping`, ");
+    if (!(Servo.safe_damping < 0)) m << Servo.most_damping;
+    m << "; raise `most_damping`, or stop more softly";
+  }
+};
+template <class Axis, class Device, mounting Mounting>
+struct wheel_without_wraps {
+  static constexpr void tell(auto& m) {
+    m << "drive.bad_joint: the axis `" << Axis::name
+      << "` of this joint is continuous, but the position of its "
+      << "drive, " << Device::name << ", ends after " << turns_of<Device>() / Mounting.gear
+      << " turns of the joint: state in `wraps` of the mounting the width of the range after which it begins "
+         "again, or use a drive that counts on";
+  }
+};
+
 // In a function; cca/mapping/mapping.hpp says why.
 template <class Axis, Drive Device, mounting Mounting, joint_servo Servo>
 constexpr auto check_joint() {
-  static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0,
-                "drive.bad_joint: the mounting of this joint is impossible: `gear` is above 0 (a drive that "
-                "turns the other way round has `sign` -1), `sign` is 1 or -1, and `wraps` is the width of a "
-                "range, or 0");
-  static_assert(Servo.safe_damping >= 0 && Servo.safe_damping <= Servo.most_damping,
-                "drive.bad_joint: `safe_damping` of this joint's servo, with which it stops, is negative or "
-                "above its `most_damping`; raise `most_damping`, or stop more softly");
+  using cca::detail::holds_or_tells;
+  constexpr bool is_mounted =
+      Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0;
+  constexpr bool stops = Servo.safe_damping >= 0 && Servo.safe_damping <= Servo.most_damping;
+  constexpr bool turns_on =
+      !is_continuous<Axis> || Mounting.wraps > 0 || turns_of<Device>() / Mounting.gear >= 1000;
+  static_assert(holds_or_tells<is_mounted, bad_mounting<Axis, Mounting>>::value);
+  static_assert(holds_or_tells<stops, bad_safe_damping<Axis, Servo>>::value);
   if constexpr (!stated_limits<Axis>::sound)
     static_assert(sizeof(cca::detail::refusal<stated_limits<Axis>>) != 0);
-  static_assert(!is_continuous<Axis> || Mounting.wraps > 0 || turns_of<Device>() / Mounting.gear >= 1000,
-                "drive.bad_joint: the axis of this joint is continuous, but the position of its drive ends "
-                "after a few turns: state in the mounting's `wraps` the width of the range after which it "
-                "begins again, or use a drive that counts on");
+  static_assert(
+      holds_or_tells<(turns_on || !is_mounted), wheel_without_wraps<Axis, Device, Mounting>>::value);
 }
 
 }  // namespace detail

@@ -36,6 +36,7 @@
 #include <iterator>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/mit_frame.hpp>
 
 namespace cca::hardware {
@@ -77,15 +78,30 @@ struct ak80_64 {
 // What a reply has beside the three numbers depends on the firmware.
 enum class mit_firmware : std::uint8_t { original, ak, damiao };
 
+namespace detail {
+template <class Ranges, std::uint32_t Number, std::uint32_t Master, mit_firmware Firmware>
+struct no_mit_number {
+  static constexpr void tell(auto& m) {
+    constexpr bool is_damiao = Firmware == mit_firmware::damiao;
+    if (Master > 0x7FF)
+      m << "drive.bad_number: the id of the replies of " << Ranges::name << " is " << std::int64_t{Master}
+        << ", and Master is an 11-bit id, at most 2047";
+    else
+      m << "drive.bad_number: the number of " << Ranges::name << " is " << std::int64_t{Number}
+        << ", and that of " << (is_damiao ? "a Damiao is at most 15" : "an MIT drive is at most 255")
+        << ", since it stands in the first byte of its replies";
+  }
+};
+}  // namespace detail
+
 template <MitRanges Ranges,
           std::uint32_t Number,
           std::uint32_t Master = 0,
           mit_firmware Firmware = mit_firmware::ak>
 struct mit_drive {
-  static_assert(
-      Number <= (Firmware == mit_firmware::damiao ? 15 : 255) && Master <= 0x7FF,
-      "drive.bad_number: the number of an MIT drive is at most 255 (Damiao: 15), since it stands in the "
-      "first byte of its replies; Master is an 11-bit id");
+  static_assert(cca::detail::holds_or_tells<(Number <= (Firmware == mit_firmware::damiao ? 15 : 255) &&
+                                             Master <= 0x7FF),
+                                            detail::no_mit_number<Ranges, Number, Master, Firmware>>::value);
   using wire = mit_wire<Ranges>;
 
   static constexpr std::string_view name = Ranges::name;

@@ -32,6 +32,7 @@
 #include <limits>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/hardware/drives/moteus_frames.hpp>
 #include <cca/space/quantity.hpp>
@@ -43,11 +44,22 @@ template <class Type> concept MoteusMotor = requires {
   requires Type::stiffness > 0 && Type::damping > 0 && Type::torque > 0 && Type::timeout > 0;
 };
 
+namespace detail {
+template <class Motor, int Servo, int Source>
+struct no_moteus_number {
+  static constexpr void tell(auto& m) {
+    m << "drive.bad_number: the number of " << Motor::name << " is " << Servo << ", and we send from "
+      << Source
+      << ": a moteus has a number from 1 to 127, and not the one that we send from, which is at most 127";
+  }
+};
+}  // namespace detail
+
 template <MoteusMotor Motor, std::uint8_t Servo, std::uint8_t Source = 0, std::uint16_t Prefix = 0>
 struct moteus {
   static_assert(Prefix <= 0x1FFF, "cca::hardware::moteus: can.prefix has 13 bits");
-  static_assert(Servo >= 1 && Servo <= 127 && Source <= 127 && Servo != Source,
-                "drive.bad_number: a moteus has a number from 1 to 127, and not the one that we send from");
+  static_assert(cca::detail::holds_or_tells<(Servo >= 1 && Servo <= 127 && Source <= 127 && Servo != Source),
+                                            detail::no_moteus_number<Motor, Servo, Source>>::value);
   using motor = Motor;
   static constexpr double run_on = [] {
     if constexpr (requires { Motor::run_on; }) return static_cast<double>(Motor::run_on);

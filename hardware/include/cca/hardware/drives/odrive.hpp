@@ -31,6 +31,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/hardware/drives/odrive_errors.hpp>
 #include <cca/hardware/drives/wire_number.hpp>
@@ -54,18 +55,37 @@ enum class odrive_command : std::uint8_t {
   torques = 0x1C,
 };
 
+namespace detail {
+template <std::uint32_t Node>
+struct no_odrive_node {
+  static constexpr void tell(auto& m) {
+    if (Node > 0xFFFFFF)
+      m << "drive.bad_number: the node of an ODrive is " << std::int64_t{Node}
+        << ", and it is at most 0xFFFFFF";
+    else
+      m << "drive.bad_number: node 63 (0x3F) of an ODrive with firmware 0.6 means `not addressed`: it would "
+           "hear nothing; use another";
+  }
+};
+template <std::uint32_t Node>
+struct no_odrive_torques {
+  static constexpr void tell(auto& m) {
+    m << "drive.bad_number: the ODrive of node " << std::int64_t{Node}
+      << " has firmware 0.5, which sends no torques: leave out their period";
+  }
+};
+}  // namespace detail
+
 template <std::uint32_t Node,
           odrive_mode Mode,
           odrive_firmware Firmware = odrive_firmware::v0_6,
           std::int64_t EstimatesPeriod = 10'000'000,
           std::int64_t TorquesPeriod = 0>
 struct odrive : detail::odrive_torques<TorquesPeriod> {
-  static_assert(Node <= 0xFFFFFF, "drive.bad_number: a node of an ODrive is at most 0xFFFFFF");
-  static_assert(detail::is_odrive_node(Node, Firmware),
-                "drive.bad_number: node 63 (0x3F) of an ODrive with firmware 0.6 means `not addressed`: it "
-                "would hear nothing; use another");
-  static_assert(TorquesPeriod == 0 || Firmware == odrive_firmware::v0_6,
-                "drive.bad_number: an ODrive with firmware 0.5 sends no torques: leave out their period");
+  static_assert(cca::detail::holds_or_tells<(Node <= 0xFFFFFF && detail::is_odrive_node(Node, Firmware)),
+                                            detail::no_odrive_node<Node>>::value);
+  static_assert(cca::detail::holds_or_tells<(TorquesPeriod == 0 || Firmware == odrive_firmware::v0_6),
+                                            detail::no_odrive_torques<Node>>::value);
   static constexpr std::uint32_t node = Node;
   static constexpr odrive_firmware firmware = Firmware;
   static constexpr std::int64_t report_period = EstimatesPeriod;  // ns, between two encoder estimates

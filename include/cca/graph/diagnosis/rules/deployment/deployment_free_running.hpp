@@ -37,7 +37,6 @@ struct deployment_free_running {
             << ", or place it in another environment";
   }
 
-private:
   static constexpr bool is_full_speed(const item_info& node) {
     const auto strategy = node.strategy_while_started();
     return strategy && &*strategy == &strategy_of<full_speed>;

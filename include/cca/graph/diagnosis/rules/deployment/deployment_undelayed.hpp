@@ -1,8 +1,10 @@
 // deployment.undelayed: what goes from one environment to another is delayed, unless one of them is
-// free-running. What waits in a queue now is known only where the queue is.
+// free-running, which is a way out where all that runs there is full_speed. What waits in a queue now is
+// known only where the queue is.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/diagnosis/rules/deployment/deployment_free_running.hpp>
 
 namespace cca::detail {
 
@@ -59,9 +61,27 @@ struct deployment_undelayed {
     else m.say() << "cca::observe<`" << port_of(m.g, in).name << "`, cca::delayed<1>>";
     if (is_wire && m.found().scope > 0) m.say() << " in " << m.graph().name;
     m.say() << ", or a greater delay, or place both in one environment";
+    for (const int e : {environment_of(out.call), environment_of(in.call)})
+      if (may_be_free(m.g, e)) {
+        m.say() << ", or give ";
+        m.environment(e);
+        m.say() << " cca::free_running, because all that it runs is cca::full_speed: then its wires need no "
+                   "delay";
+        return;
+      }
   }
 
 private:
+  // Of a set of modes, what it runs in the others is not known here.
+  static constexpr bool may_be_free(const flat_view& g, int environment) {
+    if (environment == 0 || !g.scopes[0].graph->deployment->mode.empty()) return false;
+    for (int n = 0; n < g.node_count; ++n)
+      if (g.nodes[n].environment == environment &&
+          (g.nodes[n].item->component->resource() ||
+           !deployment_free_running::is_full_speed(*g.nodes[n].item)))
+        return false;
+    return true;
+  }
   // The delay stands beside the queue.
   static constexpr void tell_queue(auto& m) {
     constexpr std::string_view full[] = {"drop_oldest", "drop_newest", "reject", "..."};
