@@ -97,7 +97,7 @@ constexpr bool
         has_control_input<Name, CriterionPorts, CriterionRoles>;
 
 template <class... Ports>
-constexpr auto names_of_ports(list<Ports...>) {
+constexpr auto port_names_in(list<Ports...>) {
   constexpr auto one = []<class Port>(std::type_identity<Port>) -> std::string_view {
     if constexpr (requires { Port::name; }) return Port::name;
     else return {};
@@ -123,8 +123,8 @@ private:
   static constexpr void one(text& m, std::type_identity<control_through<Name, M>>) {
     m << "wire.unknown_port: cca::control_through<`" << Name.view() << "`, " << type_name<M>()
       << "> of this adaptive component names no control input of its module or its criterion";
-    auto near = nearest_name(Name.view(), names_of_ports(ModulePorts()));
-    if (near.empty()) near = nearest_name(Name.view(), names_of_ports(CriterionPorts()));
+    auto near = nearest_name(Name.view(), port_names_in(ModulePorts()));
+    if (near.empty()) near = nearest_name(Name.view(), port_names_in(CriterionPorts()));
     if (!near.empty()) m << "; did you mean `" << near << "`?";
     else
       m << "; reference, feedback and command have options of their own: reference_through<M>, "

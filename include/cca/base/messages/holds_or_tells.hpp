@@ -32,8 +32,8 @@ struct told {
   static constexpr std::string_view view() { return said.view(); }
 };
 
-// The same text as the name of a class without members. Where one stands for a bool, clang prints its name
-// and nothing else; of a class that is never defined it also says where it was declared, in three lines.
+// For a compiler that cuts texts: the same text as the name of a class without members. Where one stands for
+// a bool, it prints that name, and does not say in three lines more where the class was declared.
 template <auto... Text>
 struct refused_as_bool {};
 template <class Printed>
