@@ -24,6 +24,7 @@ constexpr text nearest_node(const flat_view& g, std::string_view wrong) {
     consider(candidate);
   }
   for (int s = 1; s < g.scope_count; ++s) {
+    if (!g.scopes[s].item) continue;  // the outermost graph of a mode
     text candidate;
     add_scope_path(candidate, g, s);
     --candidate.size;  // the dot
