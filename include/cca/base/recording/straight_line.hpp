@@ -25,7 +25,7 @@ public:
   };
 
 private:
-  static constexpr const tape& t = tape_of<Algorithm>;
+  static constexpr const auto& t = tape_of<Algorithm>;
   static constexpr int first = t.inputs + t.constants, rows = first + t.operations;
 
   template <int I>

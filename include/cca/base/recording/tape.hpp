@@ -25,14 +25,20 @@
 namespace cca::detail {
 
 // More operations than that make code of more than 16 KiB, half of a usual processor's nearest cache: such a
-// tape is full, as is one whose recorder was.
-inline constexpr int most_kept = 1500, most_groups = 128;
+// tape is full, as is one whose recorder was. An algorithm may state another number, `most_kept`.
+inline constexpr int usually_kept = 1500, most_groups = 128;
+template <class Algorithm>
+inline constexpr int most_kept_of = [] {
+  if constexpr (requires { Algorithm::most_kept; }) return Algorithm::most_kept;
+  else return usually_kept;
+}();
 
+template <int MostKept>
 struct tape {
   int inputs = 0, constants = 0, operations = 0, outputs = 0, checks = 0;
   bool is_full = false;
   std::array<double, most_constants> constant{};
-  std::array<std::uint32_t, most_kept> operation{};  // words of recorded_operation
+  std::array<std::uint32_t, MostKept> operation{};  // words of recorded_operation
   std::array<int, recorder::most_outputs> output{};  // negative: ~number of the row, to be negated
   std::array<std::uint64_t, recorder::most_outputs> owners{};
   std::array<int, most_groups> checked{};
@@ -40,8 +46,9 @@ struct tape {
 
 template <class Algorithm>
 class tape_maker {
+  static constexpr int most_kept = most_kept_of<Algorithm>;
   recorder r;
-  tape t;
+  tape<most_kept> t;
   struct set {
     std::uint64_t low, high;
     static constexpr set of(int group) {
@@ -115,7 +122,7 @@ class tape_maker {
 
 public:
   constexpr tape_maker() {}
-  constexpr tape made() {
+  constexpr tape<most_kept> made() {
     for (const int size : Algorithm::sizes) t.inputs += size;
     Algorithm::record(r);
     t.is_full = r.is_full;
@@ -127,6 +134,6 @@ public:
 };
 
 template <class Algorithm>
-inline constexpr tape tape_of = tape_maker<Algorithm>().made();
+inline constexpr auto tape_of = tape_maker<Algorithm>().made();
 
 }  // namespace cca::detail

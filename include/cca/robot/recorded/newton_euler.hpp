@@ -50,6 +50,34 @@ constexpr link_load<S> load_for(const mass_moments& of, const link_motion<S>& m)
   return l;
 }
 
+// The motion of a link from that of the link before. `speed`, `change`: of its joint.
+template <class S>
+constexpr link_motion<S> motion_behind(const placed_joint<S>& j,
+                                       const link_motion<S>& before,
+                                       const S& speed,
+                                       const S& change) {
+  const reduced_link& l = *j.link;
+  const std::size_t z = l.axis, x = (z + 1) % 3, y = (z + 2) % 3;
+  link_motion<S> m;
+  m.w = j.down(before.w), m.dw = j.down(before.dw);
+  triple<S> a = before.a;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!l.revolute || l.at[k] != 0) a = a + j.at[k] * before.column(k);
+  m.a = j.down(a);
+  if (l.revolute) {
+    m.dw[x] = m.dw[x] + m.w[y] * speed;
+    m.dw[y] = m.dw[y] - m.w[x] * speed;
+    m.dw[z] = m.dw[z] + change;
+    m.w[z] = m.w[z] + speed;
+  } else {
+    const S twice = S(2.0) * speed;
+    m.a[x] = m.a[x] + m.w[y] * twice;
+    m.a[y] = m.a[y] - m.w[x] * twice;
+    m.a[z] = m.a[z] + change;
+  }
+  return m;
+}
+
 // Adds to `torques`; gives the load on the base about its origin. `root`: of the base, with gravity taken
 // from its acceleration.
 template <class S, std::size_t Count, class Vector>
@@ -63,29 +91,10 @@ constexpr link_load<S> add_newton_euler(const reduced_body<Count>& b,
   std::array<link_load<S>, Count> loads;
   for (std::size_t i = 0; i < Count; ++i) {
     const reduced_link& l = b.links[i];
-    const placed_joint<S>& j = joints[i];
     const auto c = static_cast<std::size_t>(l.coordinate);
     const link_motion<S>& before = l.parent < 0 ? root : motion[static_cast<std::size_t>(l.parent)];
-    const S speed = S(l.ratio) * dq[c], change = S(l.ratio) * ddq[c];
-    const std::size_t z = l.axis, x = (z + 1) % 3, y = (z + 2) % 3;
-    link_motion<S>& m = motion[i];
-    m.w = j.down(before.w), m.dw = j.down(before.dw);
-    triple<S> a = before.a;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!l.revolute || l.at[k] != 0) a = a + j.at[k] * before.column(k);
-    m.a = j.down(a);
-    if (l.revolute) {
-      m.dw[x] = m.dw[x] + m.w[y] * speed;
-      m.dw[y] = m.dw[y] - m.w[x] * speed;
-      m.dw[z] = m.dw[z] + change;
-      m.w[z] = m.w[z] + speed;
-    } else {
-      const S twice = S(2.0) * speed;
-      m.a[x] = m.a[x] + m.w[y] * twice;
-      m.a[y] = m.a[y] - m.w[x] * twice;
-      m.a[z] = m.a[z] + change;
-    }
-    loads[i] = load_for(l.mass, m);
+    motion[i] = motion_behind(joints[i], before, S(l.ratio) * dq[c], S(l.ratio) * ddq[c]);
+    loads[i] = load_for(l.mass, motion[i]);
   }
   link_load<S> at_base = load_for(b.base, root);
   for (std::size_t i = Count; i-- > 0;) {
