@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, random, skills, arm, drives, dynamics, floating, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, random, skills, arm, drives, dynamics, floating, derivatives, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --only random --graphs 5   so many random graphs
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
@@ -328,6 +328,21 @@ def floating(work):
     return rows
 
 
+def derivatives(work):
+    """The derivatives of dynamics, recorded and by loops over the links."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "derivatives"
+        build(compiler, ["-O2"], HERE / "dynamics_derivatives.cpp", program)
+        run([str(program), "check"])
+        for name in run([str(program), "list"]).stdout.splitlines():
+            row = {"quantity": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}
+            row |= {form: instructions(program, name, form, lengths=(20, 220), within=(f"*once_{form}*",)) for form in ("cca", "loops")}
+            rows.append(row)
+            print("derivatives", compiler, row, flush=True)
+    return rows
+
+
 def learning(work):
     """A beat of each adaptive module while another thread learns a batch, and while nothing is learned."""
     rows = []
@@ -512,7 +527,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "random": random_graph, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "floating": floating, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "random": random_graph, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "floating": floating, "derivatives": derivatives, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

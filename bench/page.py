@@ -269,6 +269,18 @@ Each cell reads recorded / loops; the row "sines" is what the sines and cosines 
 {measured(part)}"""
 
 
+def derivatives(part):
+    rows = [[r["quantity"], r["compiler"], f"{number(r['cca'])} / {number(r['loops'])}", f"**{r['cca'] / r['loops']:.2f}**", r["allocations"]] for r in part["data"]]
+    return f"""## Derivatives of dynamics
+
+The matrices of [derivatives](body.md#derivatives) of the arm of seven joints and of the quadruped of twelve, whose bases stand: recorded, and by the loops over the links that larger bodies use (`bench/dynamics_derivatives.cpp`).
+Each computation begins with the angles, and gives the torques or accelerations, too; a run checks that both give the same numbers.
+Each cell reads recorded / loops.
+
+{table(["derivatives of", "compiler", "instructions", "ratio", "allocations in 1000 computations"], rows)}
+{measured(part)}"""
+
+
 def learning(part):
     rows = [[r["module"], r["compiler"], number(r["resting"]), number(r["batch"]), number(r["batch"] - r["resting"])] for r in part["data"]]
     return f"""## Learning beside the loop
@@ -512,6 +524,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(dynamics(figures["dynamics"]))
     if "floating" in figures:
         parts.append(floating(figures["floating"]))
+    if "derivatives" in figures:
+        parts.append(derivatives(figures["derivatives"]))
     if "learning" in figures:
         parts.append(learning(figures["learning"]))
     if "policies" in figures:

@@ -109,7 +109,8 @@ struct state {
   std::array<matrix, 3> all_by(vector (state::*way)(bool, int, int) const, bool forward) const {
     std::array<matrix, 3> all;
     for (int which = 0; which < 3; ++which)
-      for (int k = 0; k < n; ++k) all[static_cast<std::size_t>(which)].col(k) = (this->*way)(forward, which, k);
+      for (int k = 0; k < n; ++k)
+        all[static_cast<std::size_t>(which)].col(k) = (this->*way)(forward, which, k);
     return all;
   }
 
@@ -171,15 +172,15 @@ TEST_SUITE("derivatives of dynamics") {
     laws::source random{std::mt19937_64{91}};
     for (int round = 0; round < (s::n > 10 ? 3 : 20); ++round) {
       const s at = s::random(random);
-      const auto inverse = inverse_matrices(
-                     cca::inverse_dynamics_derivatives(at.pose(), at.dq, at.input, at.base)),
+      const auto inverse =
+                     inverse_matrices(cca::inverse_dynamics_derivatives(at.pose(), at.dq, at.input, at.base)),
                  wanted = at.all_by(&s::by_dual_numbers, false);
       check("inverse dynamics", inverse, wanted, 1e-12);
       check("inverse dynamics by loops", inverse_matrices(at.loops()), wanted, 1e-12);
       check("inverse dynamics and differences", inverse, at.all_by(&s::by_differences, false), 1e-8);
 
-      const auto forward = forward_matrices(
-          cca::forward_dynamics_derivatives(at.pose(), at.dq, at.input, at.base));
+      const auto forward =
+          forward_matrices(cca::forward_dynamics_derivatives(at.pose(), at.dq, at.input, at.base));
       check("forward dynamics", forward, at.all_by(&s::by_dual_numbers, true), 1e-10);
       check("forward dynamics and differences", forward, at.all_by(&s::by_differences, true), 1e-7);
     }
@@ -201,8 +202,8 @@ TEST_SUITE("derivatives of dynamics") {
             1e-12);
       CHECK(difference<typename s::matrix>(inverse.by_accelerations, cca::mass_matrix(now)) < 1e-12);
       CHECK((forward.by_torques * inverse.by_accelerations - s::matrix::Identity()).norm() < 1e-9);
-      CHECK(difference<typename s::vector>(
-                inverse.torques, cca::inverse_dynamics(now, at.dq, at.input).torques) < 1e-12);
+      CHECK(difference<typename s::vector>(inverse.torques,
+                                           cca::inverse_dynamics(now, at.dq, at.input).torques) < 1e-12);
       CHECK(forward.accelerations == cca::forward_dynamics(now, at.dq, at.input));
     }
   }
@@ -253,13 +254,13 @@ TEST_SUITE("derivatives of dynamics") {
     s at = s::random(random);
     at.base = {};
     const auto untouched = cca::forward_dynamics_derivatives(at.pose(), at.dq, at.input);
-    constexpr auto coupled = cd::coupled_coordinates<s::n>(s::links);
+    constexpr const auto& coupled = cd::coupled_coordinates_of<oncilla>;
     at.q[0] = std::nan("");
     const auto d = cca::forward_dynamics_derivatives(at.pose(), at.dq, at.input);
     int same = 0, gone = 0;
     for (int r = 0; r < s::n; ++r)
       for (int c = 0; c < s::n; ++c) {
-        const bool own = coupled[0][static_cast<std::size_t>(r)] && coupled[0][static_cast<std::size_t>(c)];
+        const bool own = coupled(0, r) && coupled(0, c);
         same += !own && d.by_angles(r, c) == untouched.by_angles(r, c);
         gone += own && std::isnan(d.by_angles(r, c));
       }

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cca/robot/dynamics/derivatives.hpp>
+
 #include "../picture.hpp"
 
 // [body]
@@ -73,6 +75,10 @@ static_assert(cca::embodied<body, floating>);
 }  // namespace walker
 // [body end]
 
+namespace walker {
+struct arm : cca::body<trunk, cca::part<"arm", arm_chain>> {};
+}  // namespace walker
+
 TEST_SUITE("body, example") {
   TEST_CASE("an arm floats") {
     cca::controller<walker::floating> c;
@@ -100,6 +106,26 @@ TEST_SUITE("body, example") {
         now.jacobian<"finger">() * Eigen::Vector4d(1, 0, 0, 0);  // the shoulder moves it downward
     CHECK(velocity[5] == doctest::Approx(-0.38));
     // [places end]
+  }
+
+  TEST_CASE("a motion beside another one") {
+    const Eigen::Vector4d q(0.3, -0.5, 0, 0), dq(0.1, 0.2, 0, 0), torques(-1, -0.2, 0, 0);
+    // [derivatives]
+    const cca::body_pose<walker::arm> now(q.head<2>());
+    const auto d = cca::forward_dynamics_derivatives(now, dq.head<2>(), torques.head<2>());
+    // The motion nearby: d/dt (q, dq) = A (q, dq) + B torques, around this state.
+    Eigen::Matrix4d a;
+    a << Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Identity(), d.by_angles, d.by_velocities;
+    Eigen::Matrix<double, 4, 2> b;
+    b << Eigen::Matrix2d::Zero(), d.by_torques;
+    // [derivatives end]
+    const Eigen::Vector2d step(1e-5, -2e-5);
+    const Eigen::Vector2d there = cca::forward_dynamics(cca::body_pose<walker::arm>(q.head<2>() + step),
+                                                        dq.head<2>(), torques.head<2>());
+    CHECK((there - d.accelerations - (a * Eigen::Vector4d(step[0], step[1], 0, 0)).tail<2>()).norm() < 1e-6);
+    const Eigen::Vector2d pushed =
+        cca::forward_dynamics(now, dq.head<2>(), Eigen::Vector2d(torques.head<2>() + step));
+    CHECK((pushed - d.accelerations - (b * step).tail<2>()).norm() < 1e-8);
   }
 }
 

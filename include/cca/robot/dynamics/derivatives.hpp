@@ -25,6 +25,11 @@
 // Science and Systems 2018.
 #pragma once
 
+#include <cstring>
+
+#include <cca/base/compiler.hpp>
+#include <cca/base/inlining.hpp>
+#include <cca/base/unrolled.hpp>
 #include <cca/robot/dynamics/coriolis_matrix.hpp>
 #include <cca/robot/dynamics/forward_dynamics.hpp>
 #include <cca/robot/recorded/torque_derivatives.hpp>
@@ -46,12 +51,11 @@ namespace detail {
 
 // As recorded/torque_derivatives.hpp, along the axes of the base.
 template <int Size, std::size_t Count>
-inverse_dynamics_derivatives_result<Size> derivatives_of_torques(
-    const std::array<body_link, Count>& links,
-    const std::array<placed_link, Count>& placed,
-    const Eigen::Matrix<double, Size, 1>& dq,
-    const Eigen::Matrix<double, Size, 1>& ddq,
-    const base_motion& base) {
+inverse_dynamics_derivatives_result<Size> derivatives_of_torques(const std::array<body_link, Count>& links,
+                                                                 const std::array<placed_link, Count>& placed,
+                                                                 const Eigen::Matrix<double, Size, 1>& dq,
+                                                                 const Eigen::Matrix<double, Size, 1>& ddq,
+                                                                 const base_motion& base) {
   std::array<vector6, Count> s, v, a, first, second, load;
   std::array<spatial_inertia, Count> inertia;
   std::array<coriolis_factor, Count> factor;
@@ -102,46 +106,91 @@ inverse_dynamics_derivatives_result<Size> derivatives_of_torques(
 }
 
 // Which coordinates move one another: M is zero elsewhere, and so is its inverse.
+template <int Size>
+struct coordinate_pairs {
+  bool all[std::size_t{Size * Size + 1}]{};
+  constexpr bool& operator()(int a, int b) { return all[a * Size + b]; }
+  constexpr bool operator()(int a, int b) const { return all[a * Size + b]; }
+};
 template <int Size, std::size_t Count>
-constexpr auto coupled_coordinates(const std::array<body_link, Count>& links) {
-  std::array<std::array<bool, static_cast<std::size_t>(Size)>, static_cast<std::size_t>(Size)> of{};
-  const auto coordinate = [&](std::size_t i) { return static_cast<std::size_t>(links[i].coordinate); };
-  for (std::size_t i = 0; i < Count; ++i)
-    for (int j = static_cast<int>(i); j >= 0; j = links[static_cast<std::size_t>(j)].parent) {
-      const std::size_t a = coordinate(i), b = coordinate(static_cast<std::size_t>(j));
-      of[a][b] = of[b][a] = true;
+constexpr coordinate_pairs<Size> coupled_coordinates(const std::array<body_link, Count>& links) {
+  coordinate_pairs<Size> of;
+  for (const body_link& l : links)
+    for (int j = static_cast<int>(&l - links.data()); j >= 0; j = links[static_cast<std::size_t>(j)].parent) {
+      const int other = links[static_cast<std::size_t>(j)].coordinate;
+      of(l.coordinate, other) = of(other, l.coordinate) = true;
     }
-  for (std::size_t k = 0; k < of.size(); ++k)
-    for (std::size_t i = 0; i < of.size(); ++i)
-      for (std::size_t j = 0; j < of.size(); ++j) of[i][j] = of[i][j] || (of[i][k] && of[k][j]);
+  for (int k = 0; k < Size; ++k)
+    for (int i = 0; i < Size; ++i)
+      for (int j = 0; j < Size; ++j) of(i, j) = of(i, j) || (of(i, k) && of(k, j));
   return of;
 }
 
-// x = m^-1 x by rows, so that the columns are computed together.
-template <int Size, int Columns, class Pairs>
-void solve_rows(Eigen::Matrix<double, Size, Size> m,
-                Eigen::Matrix<double, Size, Columns, Eigen::RowMajor>& x,
-                const Pairs& coupled) {
-  const auto is_zero = [&](int i, int k) {
-    return !coupled[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-  };
-  for (int k = Size; k-- > 0;) {
-    const double inverse = 1 / m(k, k);
-    for (int i = k; i-- > 0;) {
-      if (is_zero(i, k)) continue;
-      const double factor = m(i, k) * inverse;
-      for (int j = 0; j <= i; ++j) m(j, i) -= factor * m(j, k);
-      x.row(i) -= factor * x.row(k);
-      m(k, i) = factor;
+template <class Body>
+inline constexpr auto coupled_coordinates_of =
+    coupled_coordinates<axes_of<Body>::count>(weighed_links_of<Body>);
+
+// The inverse of a mass matrix, and its product with others: by columns, in the lanes of vectors. Gauss and
+// Jordan; a positive definite matrix needs no other pivots. A NaN stays in the columns of its limb.
+template <class Body>
+class inverse_of_mass {
+  static constexpr int size = axes_of<Body>::count, width = (size + lane_count - 1) / lane_count;
+  static constexpr const auto& coupled = coupled_coordinates_of<Body>;
+  using matrix = Eigen::Matrix<double, size, size>;
+  struct column {
+    lanes e[std::size_t{width + 1}]{};
+
+    double at(int r) const { return e[r / lane_count][r % lane_count]; }
+    void set(int r, double x) { e[r / lane_count][r % lane_count] = x; }
+    CCA_INLINE void add(double factor, const column& c) {
+      unrolled<width>([&](auto w) { e[w()] += factor * c.e[w()]; });
     }
-    m(k, k) = inverse;
+    CCA_INLINE void write(int k, matrix& to) const {
+      std::memcpy(to.data() + k * size, e, size * sizeof(double));
+      for (int r = 0; r < size; ++r)
+        if (!are_coupled(r, k)) to(r, k) = 0;
+    }
+  };
+  CCA_INLINE static bool are_coupled(int r, int c) {
+    constexpr bool always = [] {
+      for (int k = 0; k < size * size; ++k)
+        if (!coupled.all[k]) return false;
+      return true;
+    }();
+    return always || coupled(r, c);
   }
-  for (int k = 0; k < Size; ++k) {
-    x.row(k) *= m(k, k);
-    for (int i = 0; i < k; ++i)
-      if (!is_zero(i, k)) x.row(k) -= m(k, i) * x.row(i);
+  column columns[std::size_t{size + 1}];
+
+public:
+  explicit inverse_of_mass(const matrix& m) {
+    for (int k = 0; k < size; ++k) std::memcpy(columns[k].e, m.data() + k * size, size * sizeof(double));
+    for (int k = 0; k < size; ++k) {
+      const column own = columns[k];
+      const double inverse = 1 / own.at(k);
+      for (int j = 0; j < size; ++j) {
+        if (j == k || !are_coupled(j, k)) continue;
+        const double factor = columns[j].at(k) * inverse;
+        columns[j].add(-factor, own);
+        columns[j].set(k, factor);
+      }
+      columns[k] = {};
+      columns[k].add(-inverse, own);
+      columns[k].set(k, inverse);
+    }
   }
-}
+  void write(matrix& to) const {
+    for (int k = 0; k < size; ++k) columns[k].write(k, to);
+  }
+  // - m^-1 b.
+  void write_minus_product(const matrix& b, matrix& to) const {
+    for (int c = 0; c < size; ++c) {
+      column sum;
+      for (int k = 0; k < size; ++k)
+        if (are_coupled(k, c)) sum.add(-b(k, c), columns[k]);
+      sum.write(c, to);
+    }
+  }
+};
 
 template <class Type, bool Moving, class... Base>
 auto recorded_derivatives(const body_pose<Type>& now,
@@ -187,23 +236,18 @@ auto inverse_dynamics_derivatives(const body_pose<Type>& now,
 
 namespace detail {
 
-// d ddq = M^-1 (d torques - d(inverse dynamics)). Without a base it stands.
-template <class Type, class Vector, class... Base>
-auto derivatives_of_accelerations(const body_pose<Type>& now,
-                                  const Vector& velocities,
-                                  const Vector& torques,
-                                  const Base&... base) {
-  constexpr int n = body_pose<Type>::size;
-  static constexpr auto coupled = coupled_coordinates<n>(weighed_links_of<Type>);
-  const Vector accelerations = forward_dynamics(now, velocities, torques, base...);
-  const auto inverse = inverse_dynamics_derivatives(now, velocities, accelerations, base...);
-  Eigen::Matrix<double, n, 3 * n, Eigen::RowMajor> x;
-  x.template leftCols<n>() = -inverse.by_angles;
-  x.template middleCols<n>(n) = -inverse.by_velocities;
-  x.template rightCols<n>().setIdentity();
-  solve_rows<n>(inverse.by_accelerations, x, coupled);
-  return forward_dynamics_derivatives_result<n>{accelerations, x.template leftCols<n>(),
-                                                x.template middleCols<n>(n), x.template rightCols<n>()};
+// d ddq = M^-1 (d torques - d(inverse dynamics)).
+template <class Body, int Size>
+forward_dynamics_derivatives_result<Size> derivatives_of_solution(
+    const Eigen::Matrix<double, Size, 1>& accelerations,
+    const inverse_dynamics_derivatives_result<Size>& inverse) {
+  const inverse_of_mass<Body> mass(inverse.by_accelerations);
+  forward_dynamics_derivatives_result<Size> d;
+  d.accelerations = accelerations;
+  mass.write_minus_product(inverse.by_angles, d.by_angles);
+  mass.write_minus_product(inverse.by_velocities, d.by_velocities);
+  mass.write(d.by_torques);
+  return d;
 }
 
 }  // namespace detail
@@ -213,13 +257,18 @@ auto forward_dynamics_derivatives(const body_pose<Type>& now,
                                   const typename body_pose<Type>::vector_type& velocities,
                                   const typename body_pose<Type>::vector_type& torques,
                                   const base_motion& base) {
-  return detail::derivatives_of_accelerations(now, velocities, torques, base);
+  const typename body_pose<Type>::vector_type accelerations =
+      forward_dynamics(now, velocities, torques, base);
+  return detail::derivatives_of_solution<Type>(
+      accelerations, inverse_dynamics_derivatives(now, velocities, accelerations, base));
 }
 template <Body Type>
 auto forward_dynamics_derivatives(const body_pose<Type>& now,
                                   const typename body_pose<Type>::vector_type& velocities,
                                   const typename body_pose<Type>::vector_type& torques) {
-  return detail::derivatives_of_accelerations(now, velocities, torques);
+  const typename body_pose<Type>::vector_type accelerations = forward_dynamics(now, velocities, torques);
+  return detail::derivatives_of_solution<Type>(accelerations,
+                                               inverse_dynamics_derivatives(now, velocities, accelerations));
 }
 
 }  // namespace cca

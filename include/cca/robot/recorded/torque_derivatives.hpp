@@ -2,8 +2,8 @@
 //
 // A small turn of joint j moves all particles behind it by one field of velocities, S_j; that field itself
 // turns with the body before the joint: its first and second derivatives in time are P = v x S and Q = a x S
-// + v x P. With the composite bodies behind j - their inertia I, twice their Coriolis factor B, their load f -
-// a joint i before j, or j itself, has
+// + v x P. With the composite bodies behind j - their inertia I, twice their Coriolis factor B, their load f
+// - a joint i before j, or j itself, has
 //   d tau_i / dq_j  = S_i (B P_j + I Q_j + S_j x f_j)       d tau_j / dq_i  = S_j (B P_i + I Q_i)
 //   d tau_i / d dq_j = S_i (B S_j + 2 I P_j)                d tau_j / d dq_i = S_j (B S_i + 2 I P_i)
 // where I, B are those of j. v has the velocity of the base's origin subtracted.
@@ -67,8 +67,8 @@ private:
   constexpr void turn(const placed_joint<S>& j) {
     if (j.link->revolute) {
       const std::size_t z = j.link->axis, x = (z + 1) % 3, y = (z + 2) % 3;
-      const S t = j.cosine * (rows[x][x] - rows[y][y]) - j.sine * (rows[x][y] + rows[y][x]),
-              xx = rows[x][x], xz = rows[x][z], yz = rows[y][z], zx = rows[z][x], zy = rows[z][y];
+      const S t = j.cosine * (rows[x][x] - rows[y][y]) - j.sine * (rows[x][y] + rows[y][x]), xx = rows[x][x],
+              xz = rows[x][z], yz = rows[y][z], zx = rows[z][x], zy = rows[z][y];
       rows[x][x] = rows[y][y] + j.cosine * t;
       rows[y][y] = xx - j.cosine * t;
       rows[x][y] = rows[x][y] + j.sine * t;
@@ -142,12 +142,11 @@ struct joint_field {
 
 // `root`: of the base, with gravity taken from its acceleration.
 template <int Size, class S, std::size_t Count, class Vector>
-constexpr torque_derivatives<S, Size> differentiated_torques(
-    const reduced_body<Count>& b,
-    const std::array<placed_joint<S>, Count>& joints,
-    const link_motion<S>& root,
-    const Vector& dq,
-    const Vector& ddq) {
+constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<Count>& b,
+                                                             const std::array<placed_joint<S>, Count>& joints,
+                                                             const link_motion<S>& root,
+                                                             const Vector& dq,
+                                                             const Vector& ddq) {
   torque_derivatives<S, Size> d;
   std::array<link_motion<S>, Count> motion;
   std::array<triple<S>, Count> velocity;
@@ -240,9 +239,9 @@ template <class Body, bool Moving>
 struct recorded_torque_derivatives : recorded_quantity<Body, 2, Moving ? 4 : 0> {
   using q = recorded_quantity<Body, 2, Moving ? 4 : 0>;
   static constexpr int n = q::n;
-  static constexpr int most_kept = 3600;
+  static constexpr int most_kept = 2300;  // 32 KB of code
   static constexpr bool is_small = q::is_small && n + 3 * n * n <= static_cast<int>(recorder::most_outputs);
-  static constexpr std::array results{n, n * n, n * n, n * n};
+  static constexpr std::array results{n, n* n, n* n, n* n};
   // The base owns a bit, too: the mass matrix does not depend on it.
   static constexpr int owner(int group) {
     const int coordinate = q::owner(group);
@@ -257,7 +256,8 @@ struct recorded_torque_derivatives : recorded_quantity<Body, 2, Moving ? 4 : 0> 
       root.w = in.three(), root.dw = in.three(), root.a = in.three() - gravity;
     }
     auto d = differentiated_torques<n>(q::body, in.joints(), root, dq, ddq);
-    for (std::size_t c = 0; c < d.torques.size(); ++c) r.output(d.torques[c], q::sets.branches[c] | 1ull << n);
+    for (std::size_t c = 0; c < d.torques.size(); ++c)
+      r.output(d.torques[c], q::sets.branches[c] | 1ull << n);
     for (square<recorded, n>* m : {&d.by_angles, &d.by_velocities, &d.mass})
       for (int column = 0; column < n; ++column)
         for (int row = 0; row < n; ++row) r.output((*m)(row, column), owners(row, column, m != &d.mass));

@@ -1,0 +1,120 @@
+// The derivatives of the dynamics of an arm of seven joints and of a quadruped of twelve, whose bases stand:
+// recorded at compile time, and by the loops over the links that larger bodies use.
+//
+//   dynamics_derivatives NAME cca|loops ROUNDS      (two_ways.hpp)
+//
+// Each round begins with the angles.
+#include <cstdio>
+#include <string_view>
+
+#include <cca/robot/dynamics/derivatives.hpp>
+
+#include "arm.hpp"
+#include "quadruped.hpp"
+#include "two_ways.hpp"
+
+namespace bench {
+
+namespace cd = cca::detail;
+
+template <class Body>
+struct state_of {
+  static constexpr int n = cca::axes_of<Body>::count;
+  Eigen::Matrix<double, n, 1> q, dq, input;  // the input: accelerations or torques
+
+  cca::body_pose<Body> pose() const { return cca::body_pose<Body>(q); }
+};
+struct state {
+  state_of<arm> of_arm;
+  state_of<quadruped> of_quadruped;
+};
+template <class Derivatives>
+auto all_of(const Derivatives& d) {
+  constexpr int n = decltype(d.by_angles)::RowsAtCompileTime;
+  Eigen::Matrix<double, n, 3 * n + 1> all;
+  if constexpr (requires { d.torques; }) all << d.torques, d.by_angles, d.by_velocities, d.by_accelerations;
+  else all << d.accelerations, d.by_angles, d.by_velocities, d.by_torques;
+  return all;
+}
+
+template <class Body>
+auto placed(const state_of<Body>& s) {
+  std::array<cd::placed_link, cd::weighed_links_of<Body>.size()> all;
+  cd::place_links(cd::weighed_links_of<Body>, s.q, all);
+  return all;
+}
+template <class Body>
+auto inverse_by_loops(const state_of<Body>& s) {
+  constexpr const auto& links = cd::weighed_links_of<Body>;
+  return all_of(
+      cd::derivatives_of_torques<state_of<Body>::n, links.size()>(links, placed(s), s.dq, s.input, {}));
+}
+
+struct inverse_of_arm {
+  static constexpr const char* name = "inverse dynamics of the arm";
+  static auto cca(const state& s) {
+    return all_of(cca::inverse_dynamics_derivatives(s.of_arm.pose(), s.of_arm.dq, s.of_arm.input));
+  }
+  static auto loops(const state& s) { return inverse_by_loops(s.of_arm); }
+};
+struct forward_of_arm {
+  static constexpr const char* name = "forward dynamics of the arm";
+  static auto cca(const state& s) {
+    return all_of(cca::forward_dynamics_derivatives(s.of_arm.pose(), s.of_arm.dq, s.of_arm.input));
+  }
+  static auto loops(const state& both) {
+    constexpr const auto& links = cd::weighed_links_of<arm>;
+    const auto& s = both.of_arm;
+    const auto now = placed(s);
+    const cd::vector6 none = cd::vector6::Zero();
+    const auto ddq = cd::articulated_body<false>(links, now, {}, s.dq, s.input, {}, none).accelerations;
+    return all_of(cd::derivatives_of_solution<arm>(
+        ddq, cd::derivatives_of_torques<7, links.size()>(links, now, s.dq, ddq, {})));
+  }
+};
+struct inverse_of_quadruped {
+  static constexpr const char* name = "inverse dynamics of the quadruped";
+  static auto cca(const state& both) {
+    const auto& s = both.of_quadruped;
+    return all_of(cca::inverse_dynamics_derivatives(s.pose(), s.dq, s.input));
+  }
+  static auto loops(const state& s) { return inverse_by_loops(s.of_quadruped); }
+};
+
+template <class Quantity>
+[[gnu::noinline]] auto once_loops(const state& s) {
+  return Quantity::loops(s);
+}
+
+struct beside_loops {
+  static state next(int round) {
+    state s;
+    spread(s.of_arm, round), spread(s.of_quadruped, round);
+    return s;
+  }
+  template <class Quantity>
+  static bool check() {
+    for (int i = 0; i < 100; ++i) {
+      const state s = next(i);
+      const auto a = once_cca<Quantity>(s), b = once_loops<Quantity>(s);
+      if ((a - b).cwiseAbs().maxCoeff() <= 1e-10 * b.cwiseAbs().maxCoeff()) continue;
+      std::fprintf(stderr, "%s differs from the loops by %g\n", Quantity::name, (a - b).norm());
+      return false;
+    }
+    return true;
+  }
+  template <class Quantity>
+  static double sum(std::string_view way, int rounds) {
+    double sum = 0;
+    for (int i = 0; i < rounds; ++i)
+      sum += way == "cca" ? once_cca<Quantity>(next(i)).sum() : once_loops<Quantity>(next(i)).sum();
+    return sum;
+  }
+};
+
+}  // namespace bench
+
+int main(int argc, char** argv) {
+  return bench::program<bench::beside_loops, bench::inverse_of_arm, bench::forward_of_arm,
+                        bench::inverse_of_quadruped>(argc, argv);
+}
