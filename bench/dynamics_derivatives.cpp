@@ -1,5 +1,6 @@
-// The derivatives of the dynamics of an arm of seven joints and of a quadruped of twelve, whose bases stand:
-// recorded at compile time, and by the loops over the links that larger bodies use.
+// The derivatives of the dynamics of an arm of seven joints and of a quadruped of twelve, whose bases stand,
+// and the arm's Coriolis matrix: recorded at compile time, and by the loops over the links that larger bodies
+// use.
 //
 //   dynamics_derivatives NAME cca|loops ROUNDS      (two_ways.hpp)
 //
@@ -51,14 +52,14 @@ auto inverse_by_loops(const state_of<Body>& s) {
 }
 
 struct inverse_of_arm {
-  static constexpr const char* name = "inverse dynamics of the arm";
+  static constexpr const char* name = "derivatives of inverse dynamics of the arm";
   static auto cca(const state& s) {
     return all_of(cca::inverse_dynamics_derivatives(s.of_arm.pose(), s.of_arm.dq, s.of_arm.input));
   }
   static auto loops(const state& s) { return inverse_by_loops(s.of_arm); }
 };
 struct forward_of_arm {
-  static constexpr const char* name = "forward dynamics of the arm";
+  static constexpr const char* name = "derivatives of forward dynamics of the arm";
   static auto cca(const state& s) {
     return all_of(cca::forward_dynamics_derivatives(s.of_arm.pose(), s.of_arm.dq, s.of_arm.input));
   }
@@ -73,12 +74,20 @@ struct forward_of_arm {
   }
 };
 struct inverse_of_quadruped {
-  static constexpr const char* name = "inverse dynamics of the quadruped";
+  static constexpr const char* name = "derivatives of inverse dynamics of the quadruped";
   static auto cca(const state& both) {
     const auto& s = both.of_quadruped;
     return all_of(cca::inverse_dynamics_derivatives(s.pose(), s.dq, s.input));
   }
   static auto loops(const state& s) { return inverse_by_loops(s.of_quadruped); }
+};
+
+struct coriolis_of_arm {
+  static constexpr const char* name = "Coriolis matrix of the arm";
+  static auto cca(const state& s) { return cca::coriolis_matrix(s.of_arm.pose(), s.of_arm.dq); }
+  static auto loops(const state& s) {
+    return cd::coriolis_of<7>(cd::weighed_links_of<arm>, placed(s.of_arm), s.of_arm.dq);
+  }
 };
 
 template <class Quantity>
@@ -116,5 +125,5 @@ struct beside_loops {
 
 int main(int argc, char** argv) {
   return bench::program<bench::beside_loops, bench::inverse_of_arm, bench::forward_of_arm,
-                        bench::inverse_of_quadruped>(argc, argv);
+                        bench::inverse_of_quadruped, bench::coriolis_of_arm>(argc, argv);
 }

@@ -55,6 +55,7 @@ WITHOUT = {
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
     "robot/body_tree.hpp": FUNCTION,
+    "robot/dynamics/derivatives.hpp": FUNCTION,
     "robot/bounded_motion.hpp": "tested within limiter",
     "robot/command_limits.hpp": FUNCTION,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,

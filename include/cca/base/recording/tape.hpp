@@ -38,7 +38,7 @@ struct tape {
   int inputs = 0, constants = 0, operations = 0, outputs = 0, checks = 0;
   bool is_full = false;
   std::array<double, most_constants> constant{};
-  std::array<std::uint32_t, MostKept> operation{};   // words of recorded_operation
+  std::array<std::uint32_t, std::size_t{MostKept}> operation{};  // words of recorded_operation
   std::array<int, recorder::most_outputs> output{};  // negative: ~number of the row, to be negated
   std::array<std::uint64_t, recorder::most_outputs> owners{};
   std::array<int, most_groups> checked{};

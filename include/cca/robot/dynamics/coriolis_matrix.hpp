@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cca/robot/dynamics/spatial_inertia.hpp>
+#include <cca/robot/recorded/torque_derivatives.hpp>
 
 namespace cca {
 namespace detail {
@@ -98,7 +99,15 @@ auto coriolis_torques(const body_pose<Type>& now, const typename body_pose<Type>
 
 template <Body Type>
 auto coriolis_matrix(const body_pose<Type>& now, const typename body_pose<Type>::vector_type& velocities) {
-  return detail::coriolis_of<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(), velocities);
+  constexpr bool weighs = detail::weighed<Type>::has_inertia;
+  constexpr int n = body_pose<Type>::size;
+  using quantity = detail::recorded_coriolis_matrix<Type>;
+  if constexpr (weighs && detail::is_recorded<quantity>()) {
+    return detail::recorded_result<quantity, Eigen::Matrix<double, n, n>>(now.joint_values(),
+                                                                          velocities.data());
+  } else {
+    return detail::coriolis_of<n>(detail::weighed_links_of<Type>, now.links(), velocities);
+  }
 }
 
 }  // namespace cca

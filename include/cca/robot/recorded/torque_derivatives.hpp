@@ -140,8 +140,9 @@ struct joint_field {
   }
 };
 
-// `root`: of the base, with gravity taken from its acceleration.
-template <int Size, class S, std::size_t Count, class Vector>
+// `root`: of the base, with gravity taken from its acceleration. Without `Angles` only the derivatives by the
+// velocities and the mass matrix.
+template <int Size, bool Angles = true, class S, std::size_t Count, class Vector>
 constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<Count>& b,
                                                              const std::array<placed_joint<S>, Count>& joints,
                                                              const link_motion<S>& root,
@@ -164,7 +165,7 @@ constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<
     if (!l.revolute) velocity[i][l.axis] = velocity[i][l.axis] + speed;
     motion[i] = motion_behind(joints[i], before, speed, S(l.ratio) * ddq[c]);
     field[i] = {l, motion[i], velocity[i]};
-    loads[i] = load_for(l.mass, motion[i]);
+    if (Angles) loads[i] = load_for(l.mass, motion[i]);
     bodies[i] = composite<S>(l.mass);
     moving[i] = {l.mass, motion[i].w, velocity[i]};
   }
@@ -180,7 +181,8 @@ constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<
     link_load<S> inertia = own.revolute ? bodies[i].load_about(z) : bodies[i].load_along(z);
     inertia = {ratio * inertia.moment, ratio * inertia.force};
     triple<S> back = ratio * moving[i].moment_back(own);
-    link_load<S> by_angle = load_of(bodies[i], at_joint.second) + moving[i].load_of(at_joint.first.angular);
+    link_load<S> by_angle;
+    if (Angles) by_angle = load_of(bodies[i], at_joint.second) + moving[i].load_of(at_joint.first.angular);
     link_load<S> by_speed = load_of(
         bodies[i], field_of_velocities<S>{S(2.0) * at_joint.first.angular, S(2.0) * at_joint.first.linear});
     link_load<S> turned;  // S x f
@@ -217,7 +219,7 @@ constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<
       const link_load<S> turns{back, {}};
       const S both = along(l, inertia), of_inertia = product(inertia, first);
       add(d.by_angles, l.coordinate, k, along(l, by_angle));
-      add(d.by_angles, k, l.coordinate, product(turns, first) + product(inertia, second));
+      if (Angles) add(d.by_angles, k, l.coordinate, product(turns, first) + product(inertia, second));
       add(d.by_velocities, l.coordinate, k, along(l, by_speed));
       add(d.by_velocities, k, l.coordinate, along(l, turns) + S(2.0) * of_inertia);
       add(d.mass, l.coordinate, k, both);
@@ -267,6 +269,25 @@ struct recorded_torque_derivatives : recorded_quantity<Body, 2, Moving ? 4 : 0> 
                of_column = q::sets.branches[static_cast<std::size_t>(column)];
     if ((of_row >> column & 1) == 0) return 0;
     return (of_row & of_column) | (of_base ? std::uint64_t{1} << n : 0);
+  }
+};
+
+// Velocities. Gives the matrix by columns: half of what the torques of a base that stands change with them.
+template <class Body>
+struct recorded_coriolis_matrix : recorded_quantity<Body, 1, 0> {
+  using q = recorded_quantity<Body, 1, 0>;
+  static constexpr int n = q::n;
+  static constexpr bool is_small = q::is_small && n * n <= static_cast<int>(recorder::most_outputs);
+  static constexpr std::array results{n * n};
+  static constexpr void record(recorder& r) {
+    typename q::reader in{r};
+    const auto dq = in.coordinates();
+    auto d = differentiated_torques<n, false>(q::body, in.joints(), link_motion<recorded>{}, dq,
+                                              typename q::vector{});
+    for (int column = 0; column < n; ++column)
+      for (int row = 0; row < n; ++row)
+        r.output(recorded(0.5) * d.by_velocities(row, column),
+                 recorded_torque_derivatives<Body, false>::owners(row, column, false));
   }
 };
 
