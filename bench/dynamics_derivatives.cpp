@@ -1,6 +1,6 @@
 // The derivatives of the dynamics of an arm of seven joints and of a quadruped of twelve, whose bases stand,
-// and the arm's Coriolis matrix: recorded at compile time, and by the loops over the links that larger bodies
-// use.
+// and the arm's Coriolis matrix and momentum: recorded at compile time, and by the loops over the links that
+// larger bodies use.
 //
 //   dynamics_derivatives NAME cca|loops ROUNDS      (two_ways.hpp)
 //
@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <cca/robot/dynamics/derivatives.hpp>
+#include <cca/robot/dynamics/momentum.hpp>
 
 #include "arm.hpp"
 #include "quadruped.hpp"
@@ -90,6 +91,19 @@ struct coriolis_of_arm {
   }
 };
 
+struct momentum_of_arm {
+  static constexpr const char* name = "momentum of the arm and its change";
+  static auto joined(const cca::joint_momentum_result<7>& r) {
+    Eigen::Matrix<double, 7, 2> both;
+    both << r.momentum, r.change;
+    return both;
+  }
+  static auto cca(const state& s) { return joined(cca::joint_momentum(s.of_arm.pose(), s.of_arm.dq)); }
+  static auto loops(const state& s) {
+    return joined(cd::momentum_of_joints<7>(cd::weighed_links_of<arm>, placed(s.of_arm), s.of_arm.dq));
+  }
+};
+
 template <class Quantity>
 [[gnu::noinline]] auto once_loops(const state& s) {
   return Quantity::loops(s);
@@ -125,5 +139,6 @@ struct beside_loops {
 
 int main(int argc, char** argv) {
   return bench::program<bench::beside_loops, bench::inverse_of_arm, bench::forward_of_arm,
-                        bench::inverse_of_quadruped, bench::coriolis_of_arm>(argc, argv);
+                        bench::inverse_of_quadruped, bench::coriolis_of_arm, bench::momentum_of_arm>(argc,
+                                                                                                     argv);
 }

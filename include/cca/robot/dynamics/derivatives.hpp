@@ -17,7 +17,7 @@
 //
 // Numbers that are NaN or infinite make results that are not finite. Nothing is kept, and no status says so:
 // check them before (input_status.hpp).
-// Cost: for an arm of seven joints 2.3 times inverse dynamics; recorded up to a size (recorded/), then a loop
+// Cost: for an arm of seven joints 3.6 times inverse dynamics; recorded up to a size (recorded/), then a loop
 // over each pair of a link and a link on its way to the base. Nothing allocates. Not part of cca/robot.hpp:
 // include it where you need it.
 // Sources: recorded/torque_derivatives.hpp. Forward: from M ddq + h = torques, d ddq = M^-1 (d torques - dh -

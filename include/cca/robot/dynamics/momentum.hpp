@@ -23,6 +23,7 @@
 #pragma once
 
 #include <cca/robot/dynamics/spatial_inertia.hpp>
+#include <cca/robot/recorded/joint_momentum.hpp>
 
 namespace cca {
 
@@ -85,8 +86,17 @@ Eigen::Matrix<double, 6, 6 + Size> momentum_matrix(const std::array<body_link, C
 
 template <Body Type>
 auto joint_momentum(const body_pose<Type>& now, const typename body_pose<Type>::vector_type& velocities) {
-  return detail::momentum_of_joints<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(),
-                                                           velocities);
+  constexpr bool weighs = detail::weighed<Type>::has_inertia;
+  constexpr int n = body_pose<Type>::size;
+  using quantity = detail::recorded_joint_momentum<Type>;
+  if constexpr (weighs && detail::is_recorded<quantity>()) {
+    joint_momentum_result<n> result;
+    detail::straight_line<quantity>::evaluate({result.momentum.data(), result.change.data()},
+                                              now.joint_values(), velocities.data());
+    return result;
+  } else {
+    return detail::momentum_of_joints<n>(detail::weighed_links_of<Type>, now.links(), velocities);
+  }
 }
 
 template <Body Type>

@@ -111,6 +111,17 @@ constexpr S product(const link_load<S>& l, const field_of_velocities<S>& t) {
   return m[0] * w[0] + m[1] * w[1] + m[2] * w[2] + (f[0] * u[0] + f[1] * u[1] + f[2] * u[2]);
 }
 
+// The velocity of a link's origin from the motion of the link before.
+template <class S>
+constexpr triple<S> velocity_behind(const placed_joint<S>& j,
+                                    const triple<S>& w,
+                                    const triple<S>& before,
+                                    const S& speed) {
+  triple<S> u = j.down(before + cross(w, j.at));
+  if (!j.link->revolute) u[j.link->axis] = u[j.link->axis] + speed;
+  return u;
+}
+
 template <class S, int Size>
 struct torque_derivatives {
   std::array<S, static_cast<std::size_t>(Size)> torques{};
@@ -160,9 +171,7 @@ constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<
     const auto c = static_cast<std::size_t>(l.coordinate), p = static_cast<std::size_t>(l.parent);
     const link_motion<S>& before = l.parent < 0 ? root : motion[p];
     const S speed = S(l.ratio) * dq[c];
-    const triple<S> carried = cross(before.w, joints[i].at);
-    velocity[i] = joints[i].down(l.parent < 0 ? carried : velocity[p] + carried);
-    if (!l.revolute) velocity[i][l.axis] = velocity[i][l.axis] + speed;
+    velocity[i] = velocity_behind(joints[i], before.w, l.parent < 0 ? triple<S>{} : velocity[p], speed);
     motion[i] = motion_behind(joints[i], before, speed, S(l.ratio) * ddq[c]);
     field[i] = {l, motion[i], velocity[i]};
     if (Angles) loads[i] = load_for(l.mass, motion[i]);
