@@ -274,7 +274,8 @@ def derivatives(part):
     return f"""## Derivatives of dynamics
 
 The matrices of [derivatives](body.md#derivatives) of the arm of seven joints and of the quadruped of twelve, whose bases stand, and the arm's Coriolis matrix and momentum: recorded, and by the loops over the links that larger bodies use (`bench/dynamics_derivatives.cpp`).
-Each computation begins with the angles; those of derivatives give the torques or accelerations, too. A run checks that both give the same numbers.
+Each computation begins with the angles; those of derivatives give the torques or accelerations, too.
+A run checks that both give the same numbers.
 Each cell reads recorded / loops.
 
 {table(["quantity", "compiler", "instructions", "ratio", "allocations in 1000 computations"], rows)}
