@@ -114,6 +114,15 @@ static_assert(tells<undelayed<cca::queue<2, cca::drop_oldest>>,
      "greater "
      "delay, or place both in one environment"}));
 
+// All in `two` is full_speed, so it can run freely.
+struct waits_for_beats : cca::deployment<free_chain<cca::full_speed>, in_step, rest<"two">> {};
+static_assert(tells<waits_for_beats, free_and_full>(
+    {"deployment.undelayed", "a.y -> b.x",
+     "`a.y` is published in environment `one` and read in environment `two`, so it takes at least a beat to "
+     "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>>, or a greater delay, or place both in one "
+     "environment, or give environment `two` cca::free_running, because all that it runs is "
+     "cca::full_speed: then its wires need no delay"}));
+
 // Wires that are merged: each that crosses is delayed.
 template <class... Delay>
 struct undelayed_merge : khz<cca::node<"a", source<>>,
