@@ -8,15 +8,16 @@
 // EXPECT hold: skeleton\.arity: `extra` \(hold<.*>\) leads from slow \(100 Hz\) to fast_pair \(1000 Hz\), which differ in more than their rate
 // EXPECT interpolate: skeleton\.arity: `extra` \(interpolate<.*>\) leads from odd \(300 Hz\) to fast \(1000 Hz\)
 // EXPECT decimate: skeleton\.arity: `extra` \(decimate<.*>\) leads from fast \(1000 Hz\) to odd \(300 Hz\)
-// EXPECT chain: mapping\.chain: a mapping of this chain takes samples of another space
-// EXPECT transformation: transform\.leaves_space: the function of this transformation returns something that lies in another space
-// EXPECT kinematics: frame\.mismatch: kinematics say where a chain's tip is in the frame of the chain's base
-// EXPECT adaptive_mapping: learner\.model: the learner of this adaptive mapping adapts a model between other spaces
-// EXPECT cycle: body\.cycle: the parts of this body close a loop
-// EXPECT unattached: body\.unattached: a part of this body hangs on nothing
-// EXPECT tracker: learner\.model: the learner of this module adapts another model
-// EXPECT criterion: criterion\.spaces: the criterion of this adaptive component measures in another space
-// EXPECT no_space: component\.bad_parameter: a port is of a space, and this type is none
+// EXPECT chain: mapping\.chain: a mapping of this chain gives paw_in<trunk> \(cartesian_position<trunk> over x, y, z\), and the next one takes paw_in<world>
+// EXPECT transformation: transform\.leaves_space: the function to_world of this transformation returns paw_in<world> \(cartesian_position<world> over x, y, z\), but its input is in paw_in<trunk>
+// EXPECT kinematics: frame\.mismatch: kinematics say where the tip of a chain is in the frame of its base, trunk, but paw_in<world>
+// EXPECT adaptive_mapping: learner\.model: the learner of this adaptive mapping adapts the model elm_function<paw_in<trunk>, leg_torques, .*40.*> from paw_in<trunk>
+// EXPECT cycle: body\.cycle: the parts of this body close a loop: `first` hangs on `second`, which hangs on `first`
+// EXPECT unattached: body\.unattached: the part `second` hangs on nothing: its chain begins in the frame world
+// EXPECT tracker: learner\.model: the learner of this module adapts the model discrete_shape<leg_angles, 25>, and the module runs rhythmic_shape<leg_angles, 25>
+// EXPECT criterion: criterion\.spaces: the criterion of this adaptive component measures in paw_in<trunk>
+// EXPECT no_space: component\.bad_parameter: a port is of a space, and `double` is none
+// LINES: 41
 // Rules that a template checks where it is named, each broken in one of fifty nodes; the graphs are
 // templates, so that it is named only in the one that is asked for.
 #include <cca/adaptive/adaptive_component.hpp>
