@@ -104,41 +104,19 @@ struct momentum_of_arm {
   }
 };
 
-template <class Quantity>
-[[gnu::noinline]] auto once_loops(const state& s) {
-  return Quantity::loops(s);
-}
-
-struct beside_loops {
+struct states {
+  static constexpr double tolerance = 1e-10;
   static state next(int round) {
     state s;
     spread(s.of_arm, round), spread(s.of_quadruped, round);
     return s;
-  }
-  template <class Quantity>
-  static bool check() {
-    for (int i = 0; i < 100; ++i) {
-      const state s = next(i);
-      const auto a = once_cca<Quantity>(s), b = once_loops<Quantity>(s);
-      if ((a - b).cwiseAbs().maxCoeff() <= 1e-10 * b.cwiseAbs().maxCoeff()) continue;
-      std::fprintf(stderr, "%s differs from the loops by %g\n", Quantity::name, (a - b).norm());
-      return false;
-    }
-    return true;
-  }
-  template <class Quantity>
-  static double sum(std::string_view way, int rounds) {
-    double sum = 0;
-    for (int i = 0; i < rounds; ++i)
-      sum += way == "cca" ? once_cca<Quantity>(next(i)).sum() : once_loops<Quantity>(next(i)).sum();
-    return sum;
   }
 };
 
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  return bench::program<bench::beside_loops, bench::inverse_of_arm, bench::forward_of_arm,
+  return bench::program<bench::beside_loops<bench::states>, bench::inverse_of_arm, bench::forward_of_arm,
                         bench::inverse_of_quadruped, bench::coriolis_of_arm, bench::momentum_of_arm>(argc,
                                                                                                      argv);
 }

@@ -34,6 +34,36 @@ template <class Quantity, class State>
   return Quantity::cca(s);
 }
 
+template <class Quantity, class State>
+[[gnu::noinline]] auto once_loops(const State& s) {
+  return Quantity::loops(s);
+}
+
+// What is recorded at compile time, beside the loops over the links. `States::next(round)`: the state of a
+// round. `States::tolerance`: a part of the largest number.
+template <class States>
+struct beside_loops : States {
+  template <class Quantity>
+  static bool check() {
+    for (int i = 0; i < 100; ++i) {
+      const auto s = States::next(i);
+      const auto a = once_cca<Quantity>(s), b = once_loops<Quantity>(s);
+      if ((a - b).cwiseAbs().maxCoeff() <= States::tolerance * b.cwiseAbs().maxCoeff()) continue;
+      std::fprintf(stderr, "%s differs from the loops by %g\n", Quantity::name, (a - b).norm());
+      return false;
+    }
+    return true;
+  }
+  template <class Quantity>
+  static double sum(std::string_view way, int rounds) {
+    double sum = 0;
+    for (int i = 0; i < rounds; ++i)
+      sum += way == "cca" ? once_cca<Quantity>(States::next(i)).sum()
+                          : once_loops<Quantity>(States::next(i)).sum();
+    return sum;
+  }
+};
+
 // `Ways::next(round)`: the state of a round. `Ways::check<Quantity>()`: whether both ways agree.
 // `Ways::sum<Quantity>(way, rounds)`: of all numbers of so many rounds.
 template <class Ways, class... Quantities>

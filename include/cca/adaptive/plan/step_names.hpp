@@ -12,10 +12,9 @@
 
 namespace cca::detail {
 
-// The first mistake; empty: there is none.
+// The first mistake.
 template <class Plan>
-constexpr text wrong_step_names() {
-  text said;
+constexpr void tell_wrong_steps(text& said) {
   std::array<std::string_view, Plan::table.size()> names{};
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = Plan::table[i].name;
   const auto is_known = [&](std::string_view step, const char* option, std::string_view name) {
@@ -37,12 +36,11 @@ constexpr text wrong_step_names() {
     for (int k = 0; k < one.choice_count; ++k)
       is_known(one.name, "then_one_of", one.choices[static_cast<std::size_t>(k)]);
   }
-  return said;
 }
 
 template <class Plan>
 struct wrong_steps {
-  static constexpr void tell(text& m) { m << wrong_step_names<Plan>().view(); }
+  static constexpr void tell(text& m) { tell_wrong_steps<Plan>(m); }
 };
 
 }  // namespace cca::detail

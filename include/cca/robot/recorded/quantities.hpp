@@ -86,6 +86,16 @@ struct recorded_quantity {
       for (recorded& x : v.e) x = r.input(next++);
       return v;
     }
+    // Of a base that moves: gravity, angular velocity, angular acceleration, acceleration.
+    template <bool Moving>
+    constexpr link_motion<recorded> base() {
+      link_motion<recorded> root = standing();
+      if (Moving) {
+        const auto gravity = three();
+        root.w = three(), root.dw = three(), root.a = three() - gravity;
+      }
+      return root;
+    }
   };
   static constexpr void write(recorder& r, const vector& v, const std::array<std::uint64_t, 64>& owners) {
     for (std::size_t c = 0; c < v.size(); ++c) r.output(v[c], owners[c]);
@@ -109,11 +119,7 @@ struct recorded_inverse_dynamics : recorded_quantity<Body, 2, Moving ? 4 : 0> {
   static constexpr void record(recorder& r) {
     typename q::reader in{r};
     const auto dq = in.coordinates(), ddq = in.coordinates();
-    link_motion<recorded> root = q::standing();
-    if (Moving) {
-      const auto gravity = in.three();
-      root.w = in.three(), root.dw = in.three(), root.a = in.three() - gravity;
-    }
+    const auto root = in.template base<Moving>();
     typename q::vector torques{};
     const auto load = add_newton_euler(q::body, in.joints(), root, dq, ddq, torques);
     q::write(r, torques, q::sets.branches);
@@ -181,11 +187,7 @@ struct recorded_forward_dynamics : recorded_quantity<Body, 2, Moving ? 4 : 0> {
   static constexpr void record(recorder& r) {
     typename q::reader in{r};
     const auto dq = in.coordinates(), torques = in.coordinates();
-    link_motion<recorded> root = q::standing();
-    if (Moving) {
-      const auto gravity = in.three();
-      root.w = in.three(), root.dw = in.three(), root.a = in.three() - gravity;
-    }
+    const auto root = in.template base<Moving>();
     const auto joints = in.joints();
     typename q::vector x{};
     add_newton_euler(q::body, joints, root, dq, typename q::vector{}, x);

@@ -261,11 +261,7 @@ struct recorded_torque_derivatives : recorded_quantity<Body, 2, Moving ? 4 : 0> 
   static constexpr void record(recorder& r) {
     typename q::reader in{r};
     const auto dq = in.coordinates(), ddq = in.coordinates();
-    link_motion<recorded> root = q::standing();
-    if (Moving) {
-      const auto gravity = in.three();
-      root.w = in.three(), root.dw = in.three(), root.a = in.three() - gravity;
-    }
+    const auto root = in.template base<Moving>();
     auto d = differentiated_torques<n>(q::body, in.joints(), root, dq, ddq);
     for (std::size_t c = 0; c < d.torques.size(); ++c)
       r.output(d.torques[c], q::sets.branches[c] | 1ull << n);
