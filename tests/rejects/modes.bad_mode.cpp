@@ -1,6 +1,6 @@
 // EXPECT: modes\.bad_mode: legs has 1 mode, so there is nothing to switch to: write two or more, cca::mode<`name`, graph>, or run the graph by itself in a cca::controller
-// A set of modes has two or more. Each is a cca::mode with a name of its own and a graph, which is neither a
-// deployment nor a set of modes.
+// A set of modes has two or more. Each is a cca::mode: a name of its own, and a graph. A deployment or
+// another set of modes can't stand there.
 #include <cca/modes.hpp>
 
 #include "parts.hpp"

@@ -1,6 +1,6 @@
 // EXPECT: observe\.bad_policy: cca::observe<`gait\.\*`> of `log` \(log_of<.*>\) has `timed<10>`, which is no policy of an observer: write cca::latest, cca::delayed<N> or cca::queue<C, F>
-// An observer has the policies of a wire; when it fires is said by the strategy of its node. What a graph
-// observes for programs has them too.
+// An observer has the policies of a wire. The strategy of its node says when it fires. What a graph observes
+// for programs has these policies, too.
 #include "parts.hpp"
 
 template <class Heard>

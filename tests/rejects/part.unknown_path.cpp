@@ -1,7 +1,7 @@
 // EXPECT: part\.unknown_path: `orders` \(orders\) stops or starts `walkin`, but there is no node of this path in its graph, nor in the graphs around it; did you mean `walking`\?
 // A component stops and starts parts by their paths: nodes of its own graph, or of a graph around it. A part
-// that may be stopped says so by cca::stoppable, because each beat then tests whether it runs, and says it in
-// each mode that has it, because what is stopped in one mode stays so in the next.
+// that may be stopped is cca::stoppable: each beat then tests whether it runs. It is so in each mode that has
+// it, because a part that is stopped stays stopped in the next mode.
 #include "parts.hpp"
 
 #if CCA_REJECT

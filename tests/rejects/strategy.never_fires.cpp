@@ -1,7 +1,6 @@
 // EXPECT: strategy\.never_fires: `watch` \(watch\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
-// A component that waits for its inputs needs one that is wired, and a coordinated one waits for its inputs
-// alone, not for what it observes. Clocks under `all_of` need a beat in common. A number of beats is at least
-// 1.
+// A component that waits for its inputs needs one that is wired. A coordinated one waits for its inputs only,
+// not for what it observes. Clocks under `all_of` need a beat in common. A number of beats is at least 1.
 #include "parts.hpp"
 
 struct watch {

@@ -1,4 +1,4 @@
-// Rules about time: what is told, and that the mended graph is sound.
+// Rules about time: the message of each mistake, and that the mended graph is sound.
 #include "rules_parts.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// Rules about commands to actuators: what is told, and that the mended graph is sound.
+// Rules about commands to actuators: the message of each mistake, and that the mended graph is sound.
 #include "rules_parts.hpp"
 
 namespace {

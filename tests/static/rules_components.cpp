@@ -1,4 +1,4 @@
-// Rules about a component alone: what is told, and that the mended one is sound.
+// Rules about a component alone: the message of each mistake, and that the mended one is sound.
 #include <string>
 #include <tuple>
 #include <utility>

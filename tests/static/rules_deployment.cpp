@@ -1,4 +1,4 @@
-// Rules about deployments: what is told, and that the mended one is sound.
+// Rules about deployments: the message of each mistake, and that the mended one is sound.
 #include <cca/deployment.hpp>
 
 #include "rules_parts.hpp"
@@ -152,7 +152,8 @@ static_assert(tells<hears<>, hears<cca::delayed<2>>>(
      "so it takes at least a beat to get there: write cca::observe<`a.*`, cca::delayed<1>>, or a greater "
      "delay, or place both in one environment"}));
 
-// What waits in a queue is not sent: with a delay, an observer elsewhere hears what is taken from it.
+// What waits in a queue is not sent to another environment: an observer there needs a delay, and hears the
+// samples that are taken from the queue.
 template <class... Policy>
 struct hearing_input {
   void process(cca::observe<"a.x.**", Policy...>) {}

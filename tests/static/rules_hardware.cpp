@@ -1,4 +1,4 @@
-// Rules that a chain of drives can break: what is told, and that the mended one is sound.
+// Rules that a chain of drives can break: the message of each mistake, and that the mended one is sound.
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/safety/emergency_stop.hpp>

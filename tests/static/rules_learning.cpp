@@ -1,4 +1,4 @@
-// Rules about learners in a graph: what is told, and that the mended one is sound.
+// Rules about learners in a graph: the message of each mistake, and that the mended one is sound.
 #include <tuple>
 
 #include <cca/adaptive/adaptive_component.hpp>

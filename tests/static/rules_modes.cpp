@@ -1,4 +1,5 @@
-// Rules about sets of modes, alone and deployed: what is told, and that the mended one is sound.
+// Rules about sets of modes, alone and deployed: the message of each mistake, and that the mended one is
+// sound.
 #include <utility>
 
 #include <cca/deployment.hpp>

@@ -1,4 +1,4 @@
-// Rules about names and items of a graph: what is told, and that the mended one is sound.
+// Rules about names and items of a graph: the message of each mistake, and that the mended one is sound.
 #include "rules_parts.hpp"
 
 namespace {

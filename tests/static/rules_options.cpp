@@ -1,5 +1,5 @@
-// Rules about options of wires, and several wires at one input: what is told, and that the mended graph is
-// sound.
+// Rules about options of wires, and several wires at one input: the message of each mistake, and that the
+// mended graph is sound.
 #include "rules_parts.hpp"
 
 namespace {

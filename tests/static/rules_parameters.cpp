@@ -1,4 +1,4 @@
-// Rules about parameters: what is told, and that the mended one is sound.
+// Rules about parameters: the message of each mistake, and that the mended one is sound.
 #include <string>
 
 #include "rules_parts.hpp"

@@ -1,5 +1,6 @@
-// Rules about skeletons: what is told, and that the mended one is sound. Each skeleton here has a name of its
-// own, so no message holds a long type; tests/rejects/many_nodes/templates.cpp has the others.
+// Rules about skeletons: the message of each mistake, and that the mended one is sound. Each skeleton here
+// has a name of its own, so no message holds a long type; tests/rejects/many_nodes/templates.cpp has the
+// others.
 #include <tuple>
 
 #include <cca/skeleton/farm_on_threads.hpp>

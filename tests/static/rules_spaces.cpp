@@ -1,4 +1,5 @@
-// Rules about the spaces at the ends of a wire: what is told, and that the mended graph is sound.
+// Rules about the spaces at the ends of a wire: the message of each mistake, and that the mended graph is
+// sound.
 #include "rules_parts.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// Rules about strategies: what is told, and that the mended graph is sound.
+// Rules about strategies: the message of each mistake, and that the mended graph is sound.
 #include <cca/deployment.hpp>
 
 #include "rules_parts.hpp"

@@ -1,4 +1,4 @@
-// Rules about ports that wires name: what is told, and that the mended graph is sound.
+// Rules about ports that wires name: the message of each mistake, and that the mended graph is sound.
 #include "rules_parts.hpp"
 
 namespace {

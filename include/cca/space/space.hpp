@@ -25,8 +25,7 @@ struct rate_not_positive {
   static constexpr void tell(text& m) {
     m << "rate.missing: `cca::rate<" << static_cast<double>(Hz)
       << ">` is no rate, which is a number of updates per second above 0, as `cca::rate<1000>`; where none "
-         "is "
-         "meant, leave it out";
+         "is meant, leave it out";
   }
 };
 

@@ -170,8 +170,7 @@ private:
   struct in_two_frames {
     static constexpr void tell(auto& m) {
       m << "frame.mismatch: the angular velocity and the acceleration of a cca::ros2::imu are along the axes "
-           "of "
-           "different frames, and its message has one frame_id:";
+           "of different frames, and its message has one frame_id:";
       ((m << " " << cca::detail::space_in_words<Spaces>()), ...);
     }
   };
