@@ -3,9 +3,12 @@
 
 usage: includes.py [ROOT of the repository]
 
-A folder of the core includes only from the folders to its left in FOLDERS. `runtime`, `config`, `trace` and `main` stand apart, and
-nothing in the core includes them. A folder that ROOMS lists includes only from those before it there. No two headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware, dds and record include only from the parts in OUTSIDE. Other
-libraries are included from one place each. The tests, examples and pages that a header's comments name exist.
+A folder of the core includes only from the folders to its left in FOLDERS. `runtime`, `config`, `trace` and `main` stand apart,
+and nothing in the core includes them. A folder that ROOMS lists, or a header there, includes only from those before it; a header
+that only forwards from its former place may point anywhere in its folder. Every folder of headers has a place in ROOMS. No two
+headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware,
+dds and record include only from the parts in OUTSIDE. Other libraries are included from one place each. The tests, examples and
+pages that a header's comments name exist.
 """
 import collections
 import pathlib
@@ -23,15 +26,30 @@ TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"],
 OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"], "record": ["record"]}  # and from the core
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
-# Rooms: each includes only from those before it. "." is what stands directly in the folder.
-ROOMS = {"graph": ["items", "plan", "diagnosis", "planning", "layout", "verdict", "marks", "modes", "deployment", "."],
+# Rooms: each includes only from those before it. "." is what stands directly in the folder, but for the headers that are rooms by
+# themselves: few others need them, or they stand for a folder. Every folder with folders of headers is listed, with all of them.
+ROOMS = {"base": [".", "math", "math.hpp", "messages", "recording", "separate", "system"],
+         "space": ["frame.hpp", "origin.hpp", "quantity.hpp", "dimension.hpp", "limits.hpp", "messages", "methods", "."],
+         "component": ["ports", ".", "strategies", "strategies.hpp"],
+         "graph": ["items", "plan", "diagnosis", "planning", "layout", "verdict", "marks", "modes", "deployment", "."],
          "graph/diagnosis": [".", "rules"],
+         "graph/diagnosis/rules": ["wires", "observers", "components", "strategies", "time", "commands", "modes", "deployment", "."],
+         "graph/planning": ["steps", "."],
+         "adaptive": [".", "numerics", "learning", "extreme_learning_machine.hpp", "ode_odeint.hpp", "ode_solver.hpp", "training.hpp",
+                      "sampling.hpp", "module", "plan", "sequence.hpp", "sequencer.hpp", "choice", "assembly", "adaptive_component.hpp"],
+         "mapping": ["network", "."],
+         "motor": ["equations", ".", "modules"],
+         "robot": ["body.hpp", "body_tree.hpp", "recorded", ".", "dynamics", "compliance"],
          "runtime": ["signals", "samples", "observers", ".", "live", "modes", "environments", "transports"],
+         "runtime/environments": ["exchange", "waiting", "links", "loop", "."],
+         "robots": [".", "arm", "oncilla"],
          "hardware": ["bus", "drives", "safety", "robot", "oncilla", "virtual_drives"],
+         "hardware/robot": ["boards", "."],
          "sim": ["engine", "robot", "oncilla", "."],
          "sim/robot": ["model", "tree", "forces", "world", "."],
          "record": ["mcap", "messages", "file", "loops", "replay", "."],
-         "dds": ["domain", "nodes", "deployment", "."]}
+         "dds": ["domain", "nodes", "deployment", "."],
+         "ros2": ["address.hpp", "quality.hpp", "messages", "."]}
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
 
@@ -48,7 +66,7 @@ def room_include(where, target):
     for folder, rooms in ROOMS.items():
         if not where.startswith(f"{folder}/") or not target.startswith(f"{folder}/"):
             continue
-        here, there = (room_of(path[len(folder) + 1:]) for path in (where, target))
+        here, there = (room_of(path[len(folder) + 1:], rooms) for path in (where, target))
         if here == "." and "." not in rooms:
             continue  # a header that forwards from its former place
         for room in (here, there):
@@ -59,15 +77,34 @@ def room_include(where, target):
     return None
 
 
-def room_of(path):
-    return path.split("/")[0] if "/" in path else "."
+def room_of(path, rooms):
+    if "/" in path:
+        return path.split("/")[0]
+    return path if path in rooms else "."
 
 
-def cca_include(where, target, part):
+def unknown_rooms(root):
+    """Folders of headers that have no place in ROOMS, and places there that are no longer used."""
+    paths = {header.relative_to(root / base / "cca").as_posix() for base in ROOTS for header in (root / base / "cca").rglob("*.hpp")}
+    inside = collections.defaultdict(set)
+    for path in paths:
+        for folder in list(pathlib.PurePath(path).parents)[1:-1]:
+            inside[folder.as_posix()].add(path[len(folder.as_posix()) + 1:].split("/")[0])
+    for folder, rooms in sorted(inside.items()):
+        for room in sorted(rooms - set(ROOMS.get(folder, []))):
+            yield f"{folder}/{room}: a folder of headers that has no place in ROOMS"
+    for folder, rooms in ROOMS.items():
+        for room in rooms:
+            if room != "." and f"{folder}/{room}" not in paths and room not in inside[folder]:
+                yield f"{folder}/{room}: has a place in ROOMS, but there is no such header or folder of headers"
+
+
+def cca_include(where, target, part, forwards):
     """The mistake in `#include <cca/target>` in the header `where` (relative to cca/) of a part outside of the core, or None."""
     if target in FREE:
         return None
-    if wrong := room_include(where, target):
+    moved = forwards and where.split("/")[-1] == target.split("/")[-1]  # its former place may be in any room
+    if wrong := not moved and room_include(where, target):
         return wrong
     folder = target.split("/")[0]
     if part:
@@ -171,7 +208,7 @@ def problems(root):
                 if include[1] == '"':
                     wrong = "write <cca/...>"
                 elif target.startswith("cca/"):
-                    wrong = cca_include(where, target[len("cca/"):], part)
+                    wrong = cca_include(where, target[len("cca/"):], part, is_forwarder(text))
                 else:
                     wrong = other_include(where, target, part)
                     if target.startswith("boost/"):
@@ -185,7 +222,7 @@ def problems(root):
 
 def main(arguments):
     root = pathlib.Path(arguments[0]) if arguments else pathlib.Path(__file__).parents[2]
-    found = list(problems(root))
+    found = [*problems(root), *unknown_rooms(root)]
     print("\n".join(found) or "headers include in the right direction")
     sys.exit(1 if found else 0)
 

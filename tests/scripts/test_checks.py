@@ -122,6 +122,33 @@ class Includes(Tree):
                                                  ("hardware/include/cca/hardware/safety/m.hpp", "cca/hardware/oncilla.hpp")), 1):
             self.assertEqual(len(self.found(name, target)), number, name)
 
+    def test_headers_that_are_rooms(self):
+        self.found("include/cca/base/math.hpp", "cca/base/math/a.hpp")
+        self.found("include/cca/robot/recorded/b.hpp", "cca/robot/body_tree.hpp")
+        self.found("include/cca/adaptive/choice/c.hpp", "cca/adaptive/sequencer.hpp")
+        self.assertEqual(self.found("include/cca/adaptive/plan/d.hpp", "cca/adaptive/choice/d.hpp"), [])  # it forwards
+        self.assertEqual(len(self.found("include/cca/adaptive/plan/e.hpp", "cca/adaptive/choice/c.hpp", "cca/adaptive/criterion.hpp")), 1)
+        self.assertEqual(len(self.found("include/cca/base/math/f.hpp", "cca/base/math.hpp", "cca/base/inlining.hpp")), 2)
+        self.assertEqual(len(self.found("include/cca/robot/recorded/g.hpp", "cca/robot/body_pose.hpp", "cca/robot/body.hpp")), 3)
+        self.assertEqual(len(self.found("include/cca/runtime/environments/waiting/h.hpp", "cca/runtime/environments/links/i.hpp", "cca/base/file.hpp")), 4)
+
+    def test_every_room_is_known(self):
+        root = pathlib.Path(includes.__file__).parents[2]
+        self.assertEqual(list(includes.unknown_rooms(root)), [])
+        for folder, rooms in includes.ROOMS.items():
+            for room in rooms:
+                name = room if room.endswith(".hpp") else "a.hpp" if room == "." else f"{room}/a.hpp"
+                part = folder.split("/")[0]
+                base = {"ros2": "dds/include/"}.get(part, f"{part}/include/" if part in includes.OUTSIDE else "include/")
+                self.write(f"{base}cca/{folder}/{name}", "// Why.\n#pragma once\n")
+        self.write("include/cca/cca.hpp", "// All.\n#pragma once\n")
+        self.assertEqual(list(includes.unknown_rooms(self.root)), [])
+        self.write("sim/include/cca/sim/engine/wheels/a.hpp", "// Why.\n#pragma once\n")
+        self.write("include/cca/trace/odd/a.hpp", "// Why.\n#pragma once\n")
+        self.assertEqual(len(list(includes.unknown_rooms(self.root))), 2)
+        (self.root / "include/cca/base/math.hpp").unlink()
+        self.assertEqual(len(list(includes.unknown_rooms(self.root))), 3)
+
     def test_macros(self):
         self.assertEqual(self.found("include/cca/base/a.hpp", more="#define A\n"), [])
         self.assertEqual(self.found("include/cca/runtime/b.hpp", more="#define A\n"), [])

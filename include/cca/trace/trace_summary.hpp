@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <cca/runtime/environments/histogram.hpp>
+#include <cca/runtime/environments/exchange/histogram.hpp>
 
 namespace cca {
 

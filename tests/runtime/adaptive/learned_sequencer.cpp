@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include <cca/adaptive/plan/learned_sequencer.hpp>
+#include <cca/adaptive/choice/learned_sequencer.hpp>
 #include <cca/adaptive/tracking.hpp>
 
 #include "../../laws/learner_laws.hpp"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include <cca/adaptive/plan/learned_sequencer.hpp>
+#include <cca/adaptive/choice/learned_sequencer.hpp>
 #include <cca/adaptive/sequencer.hpp>
 #include <cca/cca.hpp>
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include <cca/runtime/environments/free_running/free_arrivals.hpp>
+#include <cca/runtime/environments/loop/free_arrivals.hpp>
 
 #include "free_running_queues.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 
 namespace {
 

@@ -29,8 +29,8 @@
 #include <cca/runtime/environments/environment_threads.hpp>
 #include <cca/runtime/environments/figures_of_runs.hpp>
 #include <cca/runtime/environments/meeting.hpp>
-#include <cca/runtime/environments/modes/mode_of_deployed.hpp>
-#include <cca/runtime/environments/parts/ordered_changes.hpp>
+#include <cca/runtime/environments/mode_of_deployed.hpp>
+#include <cca/runtime/environments/ordered_changes.hpp>
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/environments/placed_components.hpp>
 #include <cca/runtime/refusal.hpp>

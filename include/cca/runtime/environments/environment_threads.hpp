@@ -14,7 +14,7 @@
 
 #include <cca/base/separate/function_ref.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/runtime/environments/environment_loops.hpp>
+#include <cca/runtime/environments/loop/environment_loops.hpp>
 #include <cca/runtime/environments/meeting.hpp>
 #include <cca/base/system/polled_thread.hpp>
 #include <cca/runtime/environments/realtime.hpp>

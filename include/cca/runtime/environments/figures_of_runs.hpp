@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <cca/component/lifecycle.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/environments/figures.hpp>
-#include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/waiting/lost_contact.hpp>
 
 namespace cca::detail {
 

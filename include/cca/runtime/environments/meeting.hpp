@@ -8,9 +8,9 @@
 
 #include <cca/base/separate/function_ref.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/environments/waiting/idle_beats.hpp>
-#include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/environments/exchange/peers.hpp>
 
 namespace cca::detail {
 

@@ -11,7 +11,7 @@
 
 #include <cca/base/nearest.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 
 namespace cca {
 

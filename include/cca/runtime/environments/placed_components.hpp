@@ -8,7 +8,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/runtime/each_component.hpp>
-#include <cca/runtime/environments/environment_loops.hpp>
+#include <cca/runtime/environments/loop/environment_loops.hpp>
 #include <cca/runtime/observe.hpp>
 
 namespace cca::detail {

@@ -21,8 +21,8 @@
 #include <utility>
 
 #include <cca/base/messages/holds_or_tells.hpp>
-#include <cca/runtime/environments/exchange.hpp>
-#include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
+#include <cca/runtime/environments/exchange/peers.hpp>
 
 namespace cca {
 

@@ -41,7 +41,7 @@ struct live_components {
     return c.is_here(node);
   }
   // The loop whose thread gives the orders of this process: what has effect in several loops, in one beat
-  // (environments/parts/agreed_changes.hpp). -1: there are none.
+  // (environments/links/agreed_changes.hpp). -1: there are none.
   template <class Controller>
   static int ordering_loop(const Controller& c) {
     if constexpr (requires { c.first_here(); }) return c.first_here();

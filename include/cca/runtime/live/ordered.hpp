@@ -1,5 +1,5 @@
 // What is asked for from outside and has effect in all environments of a deployment in one beat
-// (environments/parts/agreed_changes.hpp).
+// (environments/links/agreed_changes.hpp).
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 #include <cca/component/parameter_check.hpp>
 #include <cca/runtime/stoppable_parts.hpp>
 #include <cca/runtime/each_component.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/space/space_schema.hpp>
 #include <cca/version.hpp>
 

@@ -30,10 +30,10 @@
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/signals/write_if_possible.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/transports/machine_claim.hpp>
 #include <cca/runtime/transports/manifest.hpp>
-#include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/environments/exchange/peers.hpp>
 #include <cca/runtime/transports/regular_look.hpp>
 #include <cca/runtime/transports/shared_file.hpp>
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include <cca/dds/domain/channel.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 
 namespace cca::dds::detail {
 

@@ -16,7 +16,7 @@
 
 #include <cca/dds/deployment/receiver.hpp>
 #include <cca/dds/deployment/sender.hpp>
-#include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/environments/exchange/peers.hpp>
 
 namespace cca::dds::detail {
 

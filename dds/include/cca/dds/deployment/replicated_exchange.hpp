@@ -16,7 +16,7 @@
 #include <cca/dds/deployment/process_transport.hpp>
 #include <cca/dds/deployment/results_on_the_way.hpp>
 #include <cca/runtime/transports/manifest.hpp>
-#include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/environments/exchange/peers.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca::dds::detail {

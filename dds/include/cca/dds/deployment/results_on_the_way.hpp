@@ -11,7 +11,7 @@
 
 #include <cca/dds/domain/channel.hpp>
 #include <cca/dds/deployment/messages.hpp>
-#include <cca/runtime/environments/free_running/cycle_results.hpp>
+#include <cca/runtime/environments/exchange/cycle_results.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca::dds::detail {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <cca/dds/deployment/deployment_facts.hpp>
-#include <cca/runtime/environments/waiting/bell.hpp>
+#include <cca/runtime/environments/exchange/bell.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::dds::detail {

@@ -19,7 +19,7 @@
 #include <cca/dds/nodes/connection.hpp>
 #include <cca/dds/nodes/message_topic.hpp>
 #include <cca/dds/nodes/quality.hpp>
-#include <cca/runtime/environments/sample_ring.hpp>
+#include <cca/runtime/environments/exchange/sample_ring.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::dds::detail {

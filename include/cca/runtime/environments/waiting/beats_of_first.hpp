@@ -10,8 +10,8 @@
 #include <cstdint>
 
 #include <cca/graph/plan/environments.hpp>
-#include <cca/runtime/environments/exchange.hpp>
-#include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
+#include <cca/runtime/environments/waiting/lost_contact.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::detail {

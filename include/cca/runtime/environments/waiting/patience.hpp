@@ -11,7 +11,7 @@
 #include <limits>
 #include <thread>
 
-#include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/environments/exchange/peers.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::detail {

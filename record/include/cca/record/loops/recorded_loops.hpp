@@ -12,8 +12,8 @@
 #include <cca/graph/items/modes.hpp>
 #include <cca/graph/modes/plan_of_modes.hpp>
 #include <cca/record/loops/recorded_loop.hpp>
-#include <cca/runtime/environments/active_beats.hpp>
-#include <cca/runtime/environments/samples/links_of_environment.hpp>
+#include <cca/runtime/environments/loop/active_beats.hpp>
+#include <cca/runtime/environments/links/links_of_environment.hpp>
 
 namespace cca {
 template <class D>

@@ -20,7 +20,7 @@
 #include <cca/record/replay/replayed_freely.hpp>
 #include <cca/record/replay/replayed_results.hpp>
 #include <cca/runtime/controller.hpp>
-#include <cca/runtime/environments/crossing.hpp>
+#include <cca/runtime/environments/exchange/crossing.hpp>
 
 namespace cca::recording::detail {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
-#include <cca/runtime/environments/links.hpp>
-#include <cca/runtime/environments/modes/state_of_modes.hpp>
+#include <cca/runtime/environments/links/links.hpp>
+#include <cca/runtime/environments/loop/state_of_modes.hpp>
 
 namespace cca::detail {
 

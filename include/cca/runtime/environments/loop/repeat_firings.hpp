@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/runtime/environments/crossing.hpp>
+#include <cca/runtime/environments/exchange/crossing.hpp>
 
 namespace cca::detail {
 

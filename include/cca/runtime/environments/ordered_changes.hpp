@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include <cca/runtime/environments/environment_loops.hpp>
+#include <cca/runtime/environments/loop/environment_loops.hpp>
 
 namespace cca::detail {
 

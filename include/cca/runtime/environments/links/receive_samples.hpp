@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include <cca/base/inlining.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 
 namespace cca::detail {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <cca/runtime/environments/crossing.hpp>
+#include <cca/runtime/environments/exchange/crossing.hpp>
 
 namespace cca::detail {
 

@@ -1,7 +1,7 @@
 // The state of the loop of an environment.
 #pragma once
 
-#include <cca/runtime/environments/links.hpp>
+#include <cca/runtime/environments/links/links.hpp>
 
 namespace cca::detail {
 

@@ -7,11 +7,11 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/runtime/environments/exchange.hpp>
-#include <cca/runtime/environments/parts/agreed_changes.hpp>
-#include <cca/runtime/environments/peers.hpp>
-#include <cca/runtime/environments/queues/ways_from_elsewhere.hpp>
-#include <cca/runtime/environments/samples/receive_samples.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
+#include <cca/runtime/environments/links/agreed_changes.hpp>
+#include <cca/runtime/environments/exchange/peers.hpp>
+#include <cca/runtime/environments/links/ways_from_elsewhere.hpp>
+#include <cca/runtime/environments/links/receive_samples.hpp>
 #include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/observers/loop_observers.hpp>
 

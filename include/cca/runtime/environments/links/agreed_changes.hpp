@@ -22,7 +22,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/live/ordered.hpp>
 #include <cca/runtime/publish.hpp>
 

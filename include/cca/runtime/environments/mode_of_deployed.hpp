@@ -3,7 +3,7 @@
 //
 // Between two runs, and in `between` of a fast run in one process, a switch has effect at once, as in one
 // loop. In a wall-clock run it has effect some beats later, in all environments in the same beat
-// (environments/parts/agreed_changes.hpp); so it has, before the next beat, in a fast run of several
+// (environments/links/agreed_changes.hpp); so it has, before the next beat, in a fast run of several
 // processes.
 #pragma once
 
@@ -15,7 +15,7 @@
 #include <cca/base/fixed_string.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/runtime/environments/environment_loops.hpp>
+#include <cca/runtime/environments/loop/environment_loops.hpp>
 #include <cca/runtime/modes/mode_names.hpp>
 
 namespace cca::detail {

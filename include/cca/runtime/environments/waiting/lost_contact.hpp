@@ -10,7 +10,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/plan/environments.hpp>
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::detail {

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include <cca/runtime/environments/links.hpp>
+#include <cca/runtime/environments/links/links.hpp>
 
 namespace cca::detail {
 

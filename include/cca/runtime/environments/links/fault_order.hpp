@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 
 namespace cca::detail {
 

@@ -13,8 +13,8 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/base/eigen.hpp>
-#include <cca/runtime/environments/crossing.hpp>
-#include <cca/runtime/environments/free_running/gathered_samples.hpp>
+#include <cca/runtime/environments/exchange/crossing.hpp>
+#include <cca/runtime/environments/exchange/gathered_samples.hpp>
 
 namespace cca::detail {
 

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include <cca/runtime/environments/free_running/free_arrivals.hpp>
-#include <cca/runtime/environments/samples/links_of_environment.hpp>
+#include <cca/runtime/environments/loop/free_arrivals.hpp>
+#include <cca/runtime/environments/links/links_of_environment.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/observers/tell_recorder.hpp>
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include <cca/runtime/environments/samples/state_of_part.hpp>
+#include <cca/runtime/environments/loop/state_of_part.hpp>
 #include <cca/runtime/modes/mode_switch.hpp>
 
 namespace cca::detail {

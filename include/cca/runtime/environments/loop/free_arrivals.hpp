@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
 
 namespace cca::detail {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <cca/runtime/environments/environment_loop.hpp>
+#include <cca/runtime/environments/loop/environment_loop.hpp>
 
 namespace cca::detail {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <utility>
 
-#include <cca/runtime/environments/fault_order.hpp>
-#include <cca/runtime/environments/queues/ways_from_elsewhere.hpp>
+#include <cca/runtime/environments/links/fault_order.hpp>
+#include <cca/runtime/environments/links/ways_from_elsewhere.hpp>
 
 namespace cca::detail {
 

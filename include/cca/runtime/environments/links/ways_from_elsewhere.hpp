@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/runtime/environments/exchange.hpp>
-#include <cca/runtime/environments/samples/receive_samples.hpp>
+#include <cca/runtime/environments/exchange/exchange.hpp>
+#include <cca/runtime/environments/links/receive_samples.hpp>
 #include <cca/runtime/modes/mode_switch.hpp>
 #include <cca/runtime/queue_entries.hpp>
 
