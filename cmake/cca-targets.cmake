@@ -1,5 +1,5 @@
 # The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds and cca::record. All of them are headers only,
-# but main and sim also link a small library, built once for a project: cca-compiled.cmake.
+# but config, main, sim and record also link a small library, built once for a project: cca-compiled.cmake.
 
 include(GNUInstallDirs)
 include(${CMAKE_CURRENT_LIST_DIR}/cca-compiled.cmake)
@@ -63,6 +63,7 @@ if("config" IN_LIST CCA_COMPONENTS)
   find_package(tomlplusplus REQUIRED CONFIG)
   cca_add_headers(config ${include} ${config_headers})
   target_link_libraries(cca_config INTERFACE cca tomlplusplus::tomlplusplus)
+  cca_compile_once(config cca_config ${PROJECT_SOURCE_DIR}/source)
 endif()
 
 if("main" IN_LIST CCA_COMPONENTS)
@@ -122,6 +123,7 @@ if("record" IN_LIST CCA_COMPONENTS)
   target_compile_definitions(cca_record INTERFACE
     "$<BUILD_INTERFACE:CCA_RECORDING_PAGE=\"${PROJECT_SOURCE_DIR}/page/recording.html\">"
     "$<INSTALL_INTERFACE:CCA_RECORDING_PAGE=\"$<INSTALL_PREFIX>/${CMAKE_INSTALL_DATADIR}/cca/recording.html\">")
+  cca_compile_once(record cca_record ${PROJECT_SOURCE_DIR}/source)
 endif()
 
 foreach(component cca main sim record)

@@ -10,6 +10,9 @@
 // CCA_BEAT           a function that is a beat, or a part of one: everything that it calls is inlined. Not
 // where
 //                    CCA_EDIT is defined, for work on a program: there it takes g++ a fifth of the time.
+// CCA_REPLAYED_BEAT  a beat of which only the bits count: nothing is inlined into it, so it compiles faster. Where
+//                    the machine can fuse a product and a sum, what is fused depends on what is inlined, and
+//                    it is as CCA_BEAT.
 // CCA_ASSUME(...)    a condition that holds. clang only: g++ counts it as code and inlines less.
 // CCA_STAY_ROLLED    before a loop that rarely runs. clang would unroll it, which costs the rest of the beat
 //                    registers; g++ leaves it alone.
@@ -70,6 +73,11 @@
 #define CCA_BEAT
 #else
 #define CCA_BEAT [[gnu::flatten]]
+#endif
+#if (defined(__x86_64__) && !defined(__FMA__) && !defined(__FMA4__)) || defined(__wasm__)
+#define CCA_REPLAYED_BEAT
+#else
+#define CCA_REPLAYED_BEAT CCA_BEAT
 #endif
 
 namespace cca::detail {

@@ -77,7 +77,8 @@ private:
   void advance() noexcept
     requires(detail::Recordable<Graph>)
   {
-    if (state_of_all.is_observed()) advance_observed();
+    if constexpr (detail::is_always_probed<Graph>) advance_replayed();
+    else if (state_of_all.is_observed()) advance_observed();
     else advance_unseen();
   }
   CCA_BEAT void advance() noexcept
@@ -87,6 +88,7 @@ private:
   }
   [[gnu::noinline]] CCA_BEAT void advance_unseen() noexcept { run_beat<Graph>(); }
   [[gnu::noinline]] CCA_BEAT void advance_observed() noexcept { run_beat<detail::probed<Graph>>(); }
+  [[gnu::noinline]] CCA_REPLAYED_BEAT void advance_replayed() noexcept { run_beat<detail::probed<Graph>>(); }
 
   template <class Key>
   CCA_INLINE void run_beat() noexcept {

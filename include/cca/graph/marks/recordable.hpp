@@ -40,6 +40,10 @@ inline constexpr bool is_probed = false;
 template <class Graph>
 inline constexpr bool is_probed<probed<Graph>> = true;
 
+// Only its second beat ever runs, and may be slow: a replay. The usual one is not compiled.
+template <class Graph>
+inline constexpr bool is_always_probed = false;
+
 template <class Graph, int Node>
 struct node_types<probed<Graph>, Node> : node_types<Graph, Node> {};
 

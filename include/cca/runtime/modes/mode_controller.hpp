@@ -147,16 +147,26 @@ private:
   }
 
   void advance() noexcept {
-    if constexpr (detail::Recordable<M>)
+    if constexpr (detail::is_always_probed<M>)
+      with_mode(active, [this]<int I>() { this->template advance_replayed_in<I>(); });
+    else if constexpr (detail::Recordable<M>) {
       if (state_of_all.is_observed())
-        return with_mode(active,
-                         [this]<int I>() { this->template advance_in<I, detail::probed<part<I>>>(); });
-    with_mode(active, [this]<int I>() { this->template advance_in<I, part<I>>(); });
+        with_mode(active, [this]<int I>() { this->template advance_in<I, detail::probed<part<I>>>(); });
+      else with_mode(active, [this]<int I>() { this->template advance_in<I, part<I>>(); });
+    } else with_mode(active, [this]<int I>() { this->template advance_in<I, part<I>>(); });
   }
 
   // `Key`: the mode, or its second beat, which tells a recorder.
   template <int I, class Key>
   [[gnu::noinline]] CCA_BEAT void advance_in() noexcept {
+    run_beat_in<I, Key>();
+  }
+  template <int I>
+  [[gnu::noinline]] CCA_REPLAYED_BEAT void advance_replayed_in() noexcept {
+    run_beat_in<I, detail::probed<part<I>>>();
+  }
+  template <int I, class Key>
+  CCA_INLINE void run_beat_in() noexcept {
     detail::beat_outcome outcome;
     detail::begin_observed<Key, part<I>>(
         state_of_all, k,

@@ -137,6 +137,9 @@ struct replaying<D> : replaying_deployed<D>, recordable {};
 
 namespace cca::detail {
 
+template <class Graph>
+inline constexpr bool is_always_probed<recording::replaying<Graph>> = true;
+
 template <class Component, bool IsFree>
 struct component_in_replay {
   using type = Component;
