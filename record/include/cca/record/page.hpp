@@ -8,31 +8,14 @@
 // docs/page.md.
 #pragma once
 
-#include <array>
-#include <cerrno>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <ios>
-#include <iterator>
 #include <string>
-#include <string_view>
-#include <system_error>
 
-#include <cca/base/system/output_file.hpp>
-#include <cca/base/refused.hpp>
+#include <cca/base/separate/compiled.hpp>
 
 namespace cca::recording {
 
 // Throws cca::refused if it isn't there.
-inline std::string existing_page(const std::string& file) {
-  std::error_code unknown;
-  if (std::filesystem::is_regular_file(file, unknown)) return file;
-  throw refused("there is no page to put a recording into" + (file.empty() ? "" : ": " + file) +
-                ". It is the file page/recording.html of cca: link the target cca::record, or define " +
-                "CCA_RECORDING_PAGE as its path in quotation marks");
-}
+std::string existing_page(const std::string& file);
 
 inline std::string page_without_recording() {
 #ifdef CCA_RECORDING_PAGE
@@ -42,69 +25,10 @@ inline std::string page_without_recording() {
 #endif
 }
 
-namespace detail {
-
-inline constexpr std::string_view place_of_recording = "<!-- the recording -->";
-
-inline void check(const std::ios& file, const std::string& name) {
-  if (!file) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), name);
-}
-
-inline std::ifstream opened(const std::string& name) {
-  errno = 0;
-  std::ifstream file(name, std::ios::binary);
-  check(file, name);
-  return file;
-}
-
-// In a value between quotation marks.
-inline std::string in_html(std::string_view plain) {
-  std::string html;
-  for (const char c : plain)
-    c == '<' ? html += "&lt;" : c == '&' ? html += "&amp;" : c == '"' ? html += "&quot;" : html += c;
-  return html;
-}
-
-// Base64 of three bytes at a time; the last group may be shorter.
-inline void write_base64(output_file& to, std::istream& from) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<char, 3 << 14> bytes;
-  std::string text;
-  while (from.read(bytes.data(), bytes.size()), from.gcount() > 0) {
-    const auto count = static_cast<std::size_t>(from.gcount());
-    text.clear();
-    for (std::size_t i = 0; i < count; i += 3) {
-      std::uint32_t three = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        three = three << 8 | (i + k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-      for (std::size_t k = 0; k < 4; ++k) text += i + k > count ? '=' : letters[three >> (18 - 6 * k) & 63U];
-    }
-    to.write(text);
-  }
-}
-
-}  // namespace detail
-
-inline void write_page(const std::string& page, const std::string& recording, const std::string& from) {
-  std::ifstream empty = detail::opened(from);
-  const std::string html{std::istreambuf_iterator<char>(empty), {}};
-  const std::size_t place = html.find(detail::place_of_recording);
-  if (place == html.npos) throw refused(from + ": this is no page for recordings");
-  std::ifstream recorded = detail::opened(recording);
-
-  output_file to(page);
-  try {
-    const std::string name = std::filesystem::path(page).stem().string();
-    to.write(std::string_view(html).substr(0, place));
-    to.write("<script id=\"recording\" type=\"text/plain\" data-name=\"" + detail::in_html(name) + "\">");
-    detail::write_base64(to, recorded);
-    to.write("</script>");
-    to.write(std::string_view(html).substr(place + detail::place_of_recording.size()));
-    to.keep();
-  } catch (...) {
-    to.discard();
-    throw;
-  }
-}
+void write_page(const std::string& page, const std::string& recording, const std::string& from);
 
 }  // namespace cca::recording
+
+#if !CCA_HAS_COMPILED_RECORD
+#include <cca/record/page_functions.hpp>
+#endif
