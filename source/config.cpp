@@ -1,2 +1,2 @@
 // What the target cca::config compiles once for a project: cca/base/separate/compiled.hpp.
-#include <cca/config/files_functions.hpp>
+#include <cca/config.hpp>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <cca/modes.hpp>
+#include <cca/record/replay/described_space.hpp>
 
 #include "graphs.hpp"
 

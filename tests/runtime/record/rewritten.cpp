@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <cca/record/mcap/lz4.hpp>
+
 #include "graphs.hpp"
 #include "rewriting.hpp"
 
