@@ -5,158 +5,151 @@
 // docs/parameters.md.
 #pragma once
 
-#include <algorithm>
-#include <charconv>
 #include <concepts>
 #include <cstdint>
-#include <limits>
-#include <ranges>
 #include <string>
 #include <string_view>
-#include <system_error>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <toml++/toml.h>
-
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/separate/compiled.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/config/read.hpp>
 
 namespace cca::detail {
 
-struct found_field {
-  const schema* type = nullptr;
-  const void* at = nullptr;
+template <class Component>
+struct field_of_no_file {
+  static constexpr void tell(text& m) {
+    m << "parameters.unsupported_type: the field `" << unsupported_field<typename Component::parameters>()
+      << "` of the parameters of " << type_name<Component>() << " has a type that no file can hold";
+  }
+};
+template <HasParameters Component>
+constexpr const schema& parameters_schema() {
+  static_assert(holds_or_tells<unsupported_field<typename Component::parameters>().empty(),
+                               field_of_no_file<Component>>::value);
+  return schema_of<typename Component::parameters>;
+}
+
+// The parameters of one component of a controller.
+struct component_values {
+  std::string path;  // of the component
+  const schema* type;
+  const void* values;
 };
 
-// `rest` is what follows the component's path: names and indices. Null: there is no such field.
-inline found_field field_at(const schema& type, const void* value, std::string_view rest) {
-  if (rest.empty()) return {&type, value};
-  if (type.what == kind::array && rest[0] == '[') {
-    const auto end = std::min(rest.find(']'), rest.size());
-    const auto digits = rest.substr(1, end - 1);
-    std::size_t i = 0;
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), i);
-    if (end == rest.size() || digits.empty() || read.ec != std::errc{} ||
-        read.ptr != digits.data() + digits.size() || i >= type.count)
-      return {};
-    return field_at(*type.element, type.at(value, i), rest.substr(end + 1));
-  }
-  if (type.what != kind::table || rest[0] != '.') return {};
-  rest.remove_prefix(1);
-  for (std::size_t i = 0; i < type.count; ++i) {
-    const member& one = type.members[i];
-    if (!rest.starts_with(one.name)) continue;
-    const auto after = rest.substr(one.name.size());
-    if (after.empty() || after[0] == '.' || after[0] == '[') return field_at(*one.type, one.of(value), after);
-  }
-  return {};
-}
-
-inline void add_paths(const schema& type, const std::string& path, std::vector<std::string>& all) {
-  if (type.what != kind::table) return all.push_back(path);
-  for (std::size_t i = 0; i < type.count; ++i)
-    add_paths(*type.members[i].type, member_path(path, type.members[i].name), all);
-}
-
 template <class Controller>
-std::vector<std::string> parameter_paths(const Controller& controller) {
-  std::vector<std::string> all;
-  controller.for_each_component([&]<class C>(std::string_view path, const C&) {
-    if constexpr (HasParameters<std::remove_const_t<C>>)
-      add_paths(schema_of<typename C::parameters>, std::string(path), all);
+std::vector<component_values> values_of_components(const Controller& controller) {
+  std::vector<component_values> all;
+  controller.for_each_component([&]<class Component>(std::string_view path, const Component& component) {
+    if constexpr (HasParameters<Component>)
+      all.push_back({std::string(path), &parameters_schema<Component>(), &component.p});
   });
   return all;
 }
 
-// Calls f(component, what follows its path) for the component that the path leads into. Refused: of a
-// deployment, a component that another process runs.
-template <class Controller, class F>
-void with_component_at(Controller& controller, std::string_view path, const char* call, F f) {
-  bool found = false;
-  controller.for_each_component([&]<class C>(std::string_view scope, C& component) {
-    if constexpr (HasParameters<std::remove_const_t<C>>) {
-      if (found || !path.starts_with(scope)) return;
-      const auto rest = path.substr(scope.size());
-      if (rest.empty() || rest[0] != '.') return;
-      const found_field at = field_at(schema_of<typename C::parameters>, &component.p, rest);
-      if (!at.type) return;
-      found = true;
-      if constexpr (requires { controller.check_is_here(scope); }) controller.check_is_here(scope);
-      f(component, rest);
-    }
-  });
-  if (found) return;
-  const auto known = parameter_paths(controller);
-  throw refused(std::string(call) + ": " + std::string(path) + ": " +
-                unknown("parameter", path, std::vector<std::string_view>(known.begin(), known.end())));
-}
+std::vector<std::string> paths_of_fields(const std::vector<component_values>& all);
 
-inline toml::array toml_array_of(std::ranges::input_range auto&& numbers) {
-  toml::array all;
-  for (const auto& one : numbers) all.push_back(one);
-  return all;
-}
+struct found_parameter {
+  std::string scope;  // the component's path
+  const schema* type;
+  const void* at;
+};
+
+// The parameter at a path. Throws if there is none; `call`: who asks.
+found_parameter parameter_at(const std::vector<component_values>& all,
+                             std::string_view path,
+                             const char* call);
+
+// What a program gives as a value: a boolean, an integer, a number, a text, or several.
+struct given_value {
+  kind what;
+  std::int64_t integer = 0;
+  double number = 0;
+  std::string text{};
+  std::vector<given_value> elements{};
+};
 
 // A number, true or false, a text (of a choice, or a number with its unit), or several numbers.
 template <class Value>
-auto toml_node_of(const Value& value) {
-  if constexpr (std::same_as<Value, bool>) return toml::value<bool>(value);
-  else if constexpr (std::integral<Value>) return toml::value<std::int64_t>(static_cast<std::int64_t>(value));
-  else if constexpr (std::floating_point<Value>) return toml::value<double>(static_cast<double>(value));
+given_value given_value_of(const Value& value) {
+  if constexpr (std::same_as<Value, bool>) return {.what = kind::boolean, .integer = value};
+  else if constexpr (std::integral<Value>)
+    return {.what = kind::integer, .integer = static_cast<std::int64_t>(value)};
+  else if constexpr (std::floating_point<Value>)
+    return {.what = kind::number, .number = static_cast<double>(value)};
   else if constexpr (std::convertible_to<const Value&, std::string_view>)
-    return toml::value<std::string>(std::string(std::string_view(value)));
-  else return toml_array_of(value);
+    return {.what = kind::text, .text = std::string(std::string_view(value))};
+  else {
+    given_value all{.what = kind::array};
+    for (const auto& one : value) all.elements.push_back(given_value_of(one));
+    return all;
+  }
 }
 
-template <class Controller, class Value>
-void set_parameter(Controller& controller, std::string_view path, const Value& value) {
-  constexpr const char* call = "cca::controller: set";
-  with_component_at(controller, path, call, [&]<class C>(C& component, std::string_view rest) {
-    const schema& type = schema_of<typename C::parameters>;
-    auto copy = component.p;
-    const found_field at = field_at(type, &copy, rest);
-    problems found(call);
-    read(*at.type, const_cast<void*>(at.at), toml_node_of(value), std::string(path), {}, found);
-    found.refuse();
-    const auto scope = path.substr(0, path.size() - rest.size());
-    for (auto& each : complaints_of(component, copy, scope, controller.step_of(scope)))
-      found.add(nullptr, each.path, std::move(each.what));
-    found.refuse();
-    component.p = copy;
+// Into the field that `path` names after the path of its component. Throws if it doesn't fit.
+void put_given_value(const schema& type,
+                     void* values,
+                     std::string_view scope,
+                     std::string_view path,
+                     const given_value& value);
+// Throws if there is a complaint.
+void refuse_given_value(std::vector<complaint> found);
+
+template <class Controller>
+std::vector<std::string> parameter_paths(const Controller& controller) {
+  return paths_of_fields(values_of_components(controller));
+}
+
+// Refused: of a deployment, a component that another process runs.
+template <class Controller>
+found_parameter parameter_here(const Controller& controller, std::string_view path, const char* call) {
+  auto found = parameter_at(values_of_components(controller), path, call);
+  if constexpr (requires { controller.check_is_here(found.scope); }) controller.check_is_here(found.scope);
+  return found;
+}
+
+template <class Controller>
+void set_parameter(Controller& controller, std::string_view path, const given_value& value) {
+  const found_parameter found = parameter_here(controller, path, "cca::controller: set");
+  controller.for_each_component([&]<class Component>(std::string_view scope, Component& component) {
+    if constexpr (HasParameters<Component>) {
+      if (scope != found.scope) return;
+      auto copy = component.p;
+      put_given_value(parameters_schema<Component>(), &copy, scope, path, value);
+      refuse_given_value(complaints_of(component, copy, scope, controller.step_of(scope)));
+      component.p = copy;
+    }
   });
 }
+
+std::string text_in(const found_parameter& found);
+// Refused: the parameter is none, with `path` in the message.
+bool boolean_in(const found_parameter& found, std::string_view path);
+std::int64_t integer_in(const found_parameter& found, std::string_view path);
+double number_in_parameter(const found_parameter& found, std::string_view path);
+[[noreturn]] void refuse_type(const found_parameter& found, std::string_view path, const char* expected);
 
 // As a file spells it, or as a number or bool.
 template <class Type, class Controller>
 Type parameter(const Controller& controller, std::string_view path) {
-  constexpr const char* call = "cca::controller: parameter";
-  Type result{};
-  with_component_at(controller, path, call, [&]<class C>(const C& component, std::string_view rest) {
-    const found_field at = field_at(schema_of<typename C::parameters>, &component.p, rest);
-    const kind what = at.type->what;
-    const auto refuse_type = [&](const char* expected) {
-      throw refused(std::string(call) + ": " + std::string(path) + ": is " + toml_value(*at.type, at.at) +
-                    ", not " + expected);
-    };
-    if constexpr (std::same_as<Type, std::string>) {
-      result = toml_value(*at.type, at.at);
-    } else if constexpr (std::same_as<Type, bool>) {
-      if (what != kind::boolean) refuse_type("true or false");
-      result = at.type->integer(at.at) != 0;
-    } else if constexpr (std::integral<Type>) {
-      if (what != kind::integer || !std::in_range<Type>(at.type->integer(at.at))) refuse_type("an integer");
-      result = static_cast<Type>(at.type->integer(at.at));
-    } else {
-      static_assert(std::floating_point<Type>,
-                    "cca::controller::parameter<T>: T is std::string, bool, an integer or a number");
-      if (what == kind::integer) result = static_cast<Type>(at.type->integer(at.at));
-      else if (what == kind::number) result = static_cast<Type>(at.type->number(at.at));
-      else refuse_type("a number");
-    }
-  });
-  return result;
+  const found_parameter found = parameter_here(controller, path, "cca::controller: parameter");
+  if constexpr (std::same_as<Type, std::string>) return text_in(found);
+  else if constexpr (std::same_as<Type, bool>) return boolean_in(found, path);
+  else if constexpr (std::integral<Type>) {
+    const std::int64_t value = integer_in(found, path);
+    if (!std::in_range<Type>(value)) refuse_type(found, path, "an integer");
+    return static_cast<Type>(value);
+  } else {
+    static_assert(std::floating_point<Type>,
+                  "cca::controller::parameter<T>: T is std::string, bool, an integer or a number");
+    return static_cast<Type>(number_in_parameter(found, path));
+  }
 }
 
 }  // namespace cca::detail
+
+#if !CCA_HAS_COMPILED_CONFIG
+#include <cca/config/by_path_functions.hpp>
+#endif

@@ -9,29 +9,53 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <cca/base/after_run.hpp>
+#include <cca/base/separate/compiled.hpp>
 #include <cca/component/lifecycle.hpp>
 
 namespace cca {
+namespace detail {
+
+void add_summary(std::string_view path, const std::string& said, std::vector<std::string>& lines);
+void add_lost_samples(const std::string& input, std::int64_t lost, int room, std::vector<std::string>& lines);
+
+struct fault_of_run {
+  std::int64_t beat;
+  std::string path, reason, cause;  // `cause`: of a deployment that has lost contact
+};
+
+class causes_of_run {
+public:
+  explicit causes_of_run(std::int64_t nanoseconds) : period(nanoseconds) {}
+
+  void add(std::string_view path, cause said) { all.push_back({std::string(path), std::move(said)}); }
+  // A sentence for each, in the order in which they began. `fault`: the one that ended the run, or null.
+  std::vector<std::string> sentences(const fault_of_run* fault) const;
+
+private:
+  struct of_component {
+    std::string path;
+    cause said;
+  };
+  std::int64_t period;  // of a beat, ns
+  std::vector<of_component> all{};
+};
+
+}  // namespace detail
 
 template <class Controller>
 std::vector<std::string> summaries_of(const Controller& c) {
   std::vector<std::string> lines;
   c.for_each_component([&]<class C>(std::string_view path, const C& component) {
-    if constexpr (detail::HasSummary<C>)
-      if (const std::string said = component.summary(); !said.empty())
-        lines.push_back("`" + std::string(path) + "`: " + said);
+    if constexpr (detail::HasSummary<C>) detail::add_summary(path, component.summary(), lines);
   });
   c.for_each_queue([&](const std::string& input, std::int64_t lost, int room) {
-    if (lost > 0)
-      lines.push_back("`" + input + "`: its queue of " + std::to_string(room) + " was full and lost " +
-                      std::to_string(lost) + (lost == 1 ? " sample" : " samples"));
+    detail::add_lost_samples(input, lost, room, lines);
   });
   return lines;
 }
@@ -39,28 +63,18 @@ std::vector<std::string> summaries_of(const Controller& c) {
 // In the order in which they began; of one beat in the order of declaration, the fault last.
 template <class Controller>
 std::vector<std::string> causes_of(const Controller& c) {
-  std::multimap<std::int64_t, std::string> lines;  // by their beats
-  const auto at = [](std::int64_t beat) {
-    return detail::formatted("after %.3f s", 1e-9 * static_cast<double>(beat * Controller::period()));
-  };
-  const bool has_faulted = c.state() == state::faulted;
-  const std::string faulted = has_faulted ? c.fault_path() : std::string();
-  std::string of_fault;
+  detail::causes_of_run causes(Controller::period());
   c.for_each_component([&]<class C>(std::string_view path, const C& component) {
-    if constexpr (detail::HasCause<C>)
-      if (const cause said = component.cause()) {
-        if (has_faulted && path == faulted) of_fault = ": " + said.what;
-        else lines.emplace(said.beat, "`" + std::string(path) + "`, " + at(said.beat) + ": " + said.what);
-      }
+    if constexpr (detail::HasCause<C>) causes.add(path, component.cause());
   });
-  if constexpr (requires { c.fault_cause(); })  // of a deployment that has lost contact
-    if (const std::string why = c.fault_cause(); !why.empty()) of_fault = ": " + why;
-  if (has_faulted)
-    lines.emplace(c.beat_index(), "fault" + (faulted.empty() ? "" : " in `" + faulted + "`") + ", " +
-                                      at(c.beat_index()) + ": " + c.fault().reason() + of_fault);
-  std::vector<std::string> texts;
-  for (auto& [beat, text] : lines) texts.push_back(std::move(text));
-  return texts;
+  if (c.state() != state::faulted) return causes.sentences(nullptr);
+  detail::fault_of_run fault{c.beat_index(), c.fault_path(), std::string(c.fault().reason()), {}};
+  if constexpr (requires { c.fault_cause(); }) fault.cause = c.fault_cause();
+  return causes.sentences(&fault);
 }
 
 }  // namespace cca
+
+#if !CCA_HAS_COMPILED_MAIN
+#include <cca/main/end_of_run_functions.hpp>
+#endif

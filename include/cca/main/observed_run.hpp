@@ -22,7 +22,6 @@
 #include <vector>
 
 #include <cca/main/one_file.hpp>
-#include <cca/base/system/output_file.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/observers/program_recorder.hpp>
 #include <cca/trace/tracer.hpp>
@@ -154,8 +153,7 @@ private:
     return named.record;
   }
   void set_aside(const std::string& file) {
-    if (const std::string kept = set_aside_part(file); !kept.empty())
-      found_.push_back("a run that did not end has left a part of " + file + ": it is now " + kept);
+    if (const std::string left = detail::set_aside_left_part(file); !left.empty()) found_.push_back(left);
   }
 
   Controller* of;

@@ -19,9 +19,7 @@
 #include <concepts>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -31,26 +29,11 @@
 #include <cca/base/type_name.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/main/command_line.hpp>
+#include <cca/main/run_settings.hpp>
 #include <cca/runtime/environments/deployed.hpp>
 #include <cca/runtime/environments/only.hpp>
 
 namespace cca {
-
-// How a program runs its robot. A program sets its defaults, the command line has the last word.
-struct run_settings {
-  std::optional<double> seconds{};             // of virtual time; none: until a signal
-  std::optional<double> speed = 1;             // times the wall clock; none: a fast run
-  std::vector<std::string> configs{};          // files with parameters, in this order
-  std::vector<std::string> only{};             // the environments of this process; none: all
-  bool quiet = false;                          // prints no figures
-  bool commands = false;                       // reads pause, step and speed from any standard input
-  std::string record{};                        // a file for a recording; empty: none (docs/recordings.md)
-  std::vector<std::string> record_scopes{};    // of the ports to record; none: all
-  std::string page{};                          // an HTML file with the recording; empty: none (docs/page.md)
-  std::string replay{};                        // a recording to replay, instead of a run
-  std::string trace{};                         // a file for a trace; empty: none (docs/traces.md)
-  std::map<std::string, std::string> notes{};  // for the recording: a seed, a version
-};
 
 template <class Architecture>
 class robot_program {

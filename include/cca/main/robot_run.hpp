@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -14,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include <cca/main/one_file.hpp>
 #include <cca/base/refused.hpp>
+#include <cca/base/separate/compiled.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/main/counted_pace.hpp>
 #include <cca/main/descriptions.hpp>
@@ -23,12 +21,32 @@
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_commands.hpp>
 #include <cca/main/run_program.hpp>
+#include <cca/main/run_settings.hpp>
 #include <cca/main/end_of_run.hpp>
+#include <cca/runtime/environments/figures.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/runtime/observers/program_recorder.hpp>
 #include <cca/runtime/signals/stop_progress.hpp>
 
 namespace cca::detail {
+
+void refuse_one_file(const run_settings& s);
+// Of a recording to replay.
+void refuse_unfinished_recording(const std::string& file);
+
+// "after 1.234 s"
+std::string text_of_time(std::int64_t nanoseconds);
+
+// What a second SIGINT says of a program: `called` is its name, `what` was left behind.
+std::string left_behind(const std::string& called,
+                        const run_settings& s,
+                        bool has_others,
+                        const std::string& what);
+
+// Counted in wall-clock runs only.
+void print_figures(const std::vector<environment_figures>& all);
+
+void tell_as(const std::string& called, const std::string& what);
 
 template <class Program>
 class robot_run {
@@ -39,15 +57,15 @@ public:
   robot_run(Program& of, std::string name) : program(of), called(std::move(name)) {}
 
   int go() {
-    refuse_one_file();
+    refuse_one_file(program.settings);
     if (!program.settings.replay.empty()) return replay();
     const auto made = program.others.open ? program.others.open(only(program.settings.only))
                                           : std::make_unique<controller_type>();
     controller_type& c = *made;
-    const std::string unstopped = left_behind(
+    const std::string unstopped = left(
                           "its robot was not stopped: drives hold the last command until "
                           "their watchdogs stop them"),
-                      unwritten = left_behind("its robot is stopped, what it had not yet written is lost");
+                      unwritten = left("its robot is stopped, what it had not yet written is lost");
     const interruption interrupted;
     interrupted.leaves_behind(unstopped.c_str());
     program.prepare(c);
@@ -100,24 +118,13 @@ private:
   // The same controller with what the recorded robot sensed; the program's own functions are not called.
   int replay() {
     if constexpr (HasReplay<controller_type>) {
-      const std::string part = program.settings.replay + ".part";
-      if (!std::filesystem::exists(program.settings.replay) && std::filesystem::exists(part))
-        throw refused("--replay " + program.settings.replay +
-                      ": it isn't there, but a run that did not end has left " + part);
+      refuse_unfinished_recording(program.settings.replay);
       const auto result = program_replay<controller_type>::of(program.settings.replay);
       std::cout << called << ": " << result << '\n';
       return result ? exit_code::done : exit_code::fault;
     } else {
       throw refused(called + ": this program can't replay: see docs/recordings.md");
     }
-  }
-
-  void refuse_one_file() const {
-    const run_settings& s = program.settings;
-    std::vector<named_file> all{
-        {"--record", s.record}, {"--page", s.page}, {"--trace", s.trace}, {"--replay", s.replay}};
-    for (const std::string& config : s.configs) all.emplace_back("--config", config);
-    if (const std::string twice = complaint_of_one_file(all); !twice.empty()) throw refused(twice);
   }
 
   run_files files() const {
@@ -173,24 +180,12 @@ private:
   }
 
   // For a second SIGINT.
-  std::string left_behind(const std::string& what) const {
-    std::string text = "\n" + called +
-                       ": ended at once by a second SIGINT, not in order: it did not go on "
-                       "with stopping for 2 s. Left behind: " +
-                       what;
-    for (const std::string* file :
-         {&program.settings.record, &program.settings.page, &program.settings.trace})
-      if (!file->empty()) text += "; its file " + file->substr(0, 512) + " was not finished";
-    if (program.others.open) text += "; the other processes lose contact";
-    return text + "\n";
+  std::string left(const std::string& what) const {
+    return left_behind(called, program.settings, static_cast<bool>(program.others.open), what);
   }
-
-  void tell(const std::string& what) const { std::cerr << called + ": " + what + '\n'; }
+  void tell(const std::string& what) const { tell_as(called, what); }
   static std::string at(const controller_type& c) {
-    char text[64];
-    std::snprintf(text, sizeof text, "after %.3f s",
-                  1e-9 * static_cast<double>(c.beat_index() * controller_type::period()));
-    return text;
+    return text_of_time(c.beat_index() * controller_type::period());
   }
 
   std::vector<environment_figures> figures_of(const controller_type& c) {
@@ -204,22 +199,6 @@ private:
       return {one};
     }
   }
-  // Counted in wall-clock runs only.
-  static void print_figures(const std::vector<environment_figures>& all) {
-    std::int64_t beats = 0;
-    for (const auto& each : all) beats += each.beat.count();
-    if (beats == 0) return;
-    std::cout << all;
-    for (const auto& each : all) {
-      if (each.lost_periods > 0)
-        std::cout << each.name << ": " << each.lost_periods << " periods without a beat\n";
-      for (const auto& channel : each.channels)
-        if (channel.late > 0)
-          std::cout << each.name << ": " << channel.late << " beats without a sample from " << channel.from
-                    << '\n';
-    }
-    std::cout.flush();
-  }
 
   Program& program;
   std::string called, ended_by_others{};
@@ -229,3 +208,7 @@ private:
 };
 
 }  // namespace cca::detail
+
+#if !CCA_HAS_COMPILED_MAIN
+#include <cca/main/robot_run_functions.hpp>
+#endif
