@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
@@ -31,9 +33,11 @@ struct oscillator {
                              (std::uint8_t, legs),
                              (three, gains),
                              (cca::text<8>, name),
-                             (range, swing));
+                             (range, swing),
+                             (Eigen::Matrix2d, mixing));
   };
-  parameters p{1.5, 0.0, terrain::flat, false, 4, {1, 2, 3}, "trot", {-0.2, 0.2}};
+  parameters p{
+      1.5, 0.0, terrain::flat, false, 4, {1, 2, 3}, "trot", {-0.2, 0.2}, Eigen::Matrix2d::Identity()};
   auto process() -> cca::out<"y", reading> { return static_cast<double>(p.frequency); }
   void on_save() { ++saves; }
   int saves = 0;
@@ -79,13 +83,15 @@ TEST_SUITE("parameters by path") {
     c.set("cpg.gains[1]", 7.5);
     CHECK_EQ(p.gains, three{4, 7.5, 6});
     CHECK_EQ(c.parameter("cpg.gains"), "[4.0, 7.5, 6.0]");
+    c.set("cpg.mixing", std::array{std::array{1.0, 2.0}, std::array{3.0, 4.0}});
+    CHECK_EQ(c.parameter("cpg.mixing"), "[[1.0, 2.0], [3.0, 4.0]]");
     c.set("cpg.name", std::string("walk"));
     CHECK_EQ(p.name.view(), "walk");
     c.set("dmp.ode.swing.high", 0.7);
     CHECK_EQ(c.parameter<double>("dmp.ode.swing.high"), 0.7);
     CHECK_EQ(p.swing.high, 0.2);
-    CHECK_EQ(c.parameter_paths().size(), 18);
-    CHECK_EQ(c.parameter_paths()[16], "dmp.ode.swing.low");
+    CHECK_EQ(c.parameter_paths().size(), 20);
+    CHECK_EQ(c.parameter_paths()[17], "dmp.ode.swing.low");
   }
 
   TEST_CASE("what can't be set is refused in words, and nothing changes") {
