@@ -3,6 +3,7 @@
 #include <fcntl.h>
 
 #include <sstream>
+#include <system_error>
 
 #include <cca/record.hpp>
 

@@ -1,5 +1,6 @@
 // What cca-urdf refuses or leaves out, in words: broken files, robots that no engine can move, names.
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <random>
 #include <sstream>
