@@ -66,9 +66,9 @@ inline list_order list_in(words& w) {
   if (const auto ask = w.option("--ask")) {
     o.ask = split(*ask, ',');
     for (const std::string& family : o.ask)
-      if (family != "mit" && family != "moteus" && family != "cia402")
+      if (family != "mit" && family != "moteus" && family != "robstride" && family != "cia402")
         throw usage_error("--ask " + *ask +
-                          ": expected some of mit, moteus, cia402; an ODrive reports by itself");
+                          ": expected some of mit, moteus, robstride, cia402; an ODrive reports by itself");
   }
   if (const auto ids = w.option("--ids")) {
     const auto ends = split(*ids, '-');

@@ -71,7 +71,7 @@ inline constexpr std::array known_options{
     known_option{"list watch enable jog calibrate record replay pretend", "--yes", " confirms beforehand"},
     known_option{"list watch enable jog calibrate record replay", "--pretend",
                  "a drive that is played; BUS is then `memory`"},
-    known_option{"list", "--ask", "families to ask: mit,moteus,cia402"},
+    known_option{"list", "--ask", "families to ask: mit,moteus,robstride,cia402"},
     known_option{"list", "--ids", "numbers to ask, as 1-16"},
     known_option{"list", "--listen", "seconds"},
     known_option{"watch", "--ask", " asks by frames that can't move a motor"},

@@ -8,6 +8,7 @@
 #include <cca/hardware/virtual_mit.hpp>
 #include <cca/hardware/virtual_moteus.hpp>
 #include <cca/hardware/virtual_odrive.hpp>
+#include <cca/hardware/virtual_robstride.hpp>
 
 #include "../../laws/virtual_drive_laws.hpp"
 
@@ -79,6 +80,13 @@ struct moteus_rig : rig<virtual_moteus<hip, Then>, 38, drive_fault::over_tempera
   }
 };
 
+struct strong
+    : rig<virtual_robstride<robstride<rs04, 3>>, 4, drive_fault::over_temperature, drive_fault::none> {};
+struct small : rig<virtual_robstride<robstride<cybergear, 127, 0>, 50'000'000>,
+                   1,
+                   drive_fault::under_voltage,
+                   drive_fault::none> {};
+
 struct epos {
   static constexpr std::string_view name = "EPOS4";
   static constexpr double counts = 65536, torque = 0.8;
@@ -100,7 +108,7 @@ using laws::virtual_drives::gives_way;
 TEST_SUITE("virtual drives") {
   TEST_CASE_TEMPLATE("the laws", Rig, ak, damiao, by_position, by_velocity, by_torque, old,
                      moteus_rig<moteus_timeout::stop>, moteus_rig<moteus_timeout::zero_velocity>,
-                     moteus_rig<moteus_timeout::brake>, with_fault, with_quick_stop) {
+                     moteus_rig<moteus_timeout::brake>, strong, small, with_fault, with_quick_stop) {
     laws::virtual_drive<Rig>();
   }
 
@@ -222,6 +230,41 @@ TEST_SUITE("virtual drives") {
     CHECK(b.v.enabled());
     b.beats(20);
     CHECK_FALSE(b.v.enabled());
+  }
+
+  TEST_CASE("robstride: enabling without a zero command makes the drive jerk, as its protocol allows") {
+    using D = robstride<rs04, 3>;
+    virtual_robstride<D> v;
+    v.hear(D::set_point({.position = 1, .stiffness = 20}).frames[0], 0);
+    CHECK(gives_way(v.law(0)));
+    v.hear(D::enable(), 1'000'000);
+    CHECK(v.law(1'000'000).stiffness > 19);
+    CHECK_FALSE(gives_way(v.law(21'000'000)));  // the frame for enabling fed it
+    CHECK(gives_way(v.law(21'000'001)));
+  }
+
+  TEST_CASE("robstride: in another mode than operation control a command moves nothing") {
+    using D = robstride<rs04, 3>;
+    bench<virtual_robstride<D>> b;
+    REQUIRE(b.enable());
+    REQUIRE(b.follows());
+    b.beats(5, {D::stop(), D::run_mode(2), D::enable()});
+    CHECK(b.report.activity == drive_activity::enabled);
+    CHECK_FALSE(b.follows());
+    REQUIRE(b.enable());  // which asks for operation control
+    CHECK(b.follows());
+  }
+
+  TEST_CASE("robstride: with a fault it is not enabled until that is cleared") {
+    using D = robstride<rs04, 3>;
+    bench<virtual_robstride<D>> b;
+    REQUIRE(b.enable());
+    b.v.fail(8);
+    b.beats(3, {D::stop(), D::enable()});
+    CHECK(b.report.fault == drive_fault::position_sensor);
+    CHECK_FALSE(b.v.enabled());
+    b.beat({D::clear_fault(), D::enable()});
+    CHECK(b.v.enabled());
   }
 
   TEST_CASE("cia402: NMT and SYNC are needed; after a quick stop the drive is off") {

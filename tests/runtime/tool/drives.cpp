@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cca/hardware/mit.hpp>
+#include <cca/hardware/robstride.hpp>
 
 #include "rig.hpp"
 
@@ -99,6 +100,21 @@ TEST_SUITE("drives by name") {
     same_as_codec<far>(
         "moteus:80/2:127", [](auto& some, auto& r) { return far::reply(10, some(r), some(r), some(r)); }, 12);
   }
+  TEST_CASE("so is a RobStride, with its host") {
+    using four = hw::robstride<hw::rs04, 3>;
+    same_as_codec<four>("robstride:rs04:3", [](auto& some, auto& r) {
+      return four::reply(hw::robstride_state::motor, 10 * some(r), 9 * some(r), 99 * some(r));
+    });
+    using one = hw::robstride<hw::rs01, 127, 0>;
+    same_as_codec<one>("robstride:12.5/44/17/500/5:127@0", [](auto& some, auto& r) {
+      return one::reply(hw::robstride_state::reset, 10 * some(r), 9 * some(r), 9 * some(r), 30, 4);
+    });
+    const hw::drive_frames first = drive_named("robstride:rs01:127@0")->enable({}).frames;
+    one::enabling way;
+    const hw::drive_frames expected = way.next({}).frames;
+    REQUIRE(first.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(first[i] == expected[i]);
+  }
   TEST_CASE("enabling a CANopen drive begins by starting its own node") {
     const hw::drive_frames first = drive_named("cia402:4096/0.8:9")->enable({}).frames;
     hw::cia402<epos, 9, hw::cia402_mode::position>::enabling way;
@@ -127,6 +143,11 @@ TEST_SUITE("drives by name") {
     CHECK_FALSE(drive_named("cia402:4096/0.8:9")
                     ->decode(hw::cia402<epos, 10, hw::cia402_mode::position>::reply(0x27, 0, 0), r));
     CHECK_FALSE(drive_named("moteus:80/2:4")->decode(hw::moteus<n1, 5>::reply(10, 0, 0, 0), r));
+    using other = hw::robstride<hw::rs04, 4>;
+    using elsewhere = hw::robstride<hw::rs04, 3, 0>;
+    const auto robstride = drive_named("robstride:rs04:3");
+    CHECK_FALSE(robstride->decode(other::reply(hw::robstride_state::motor, 0, 0, 0), r));
+    CHECK_FALSE(robstride->decode(elsewhere::reply(hw::robstride_state::motor, 0, 0, 0), r));
     CHECK(r.frames == 0);
   }
   TEST_CASE("questions to a drive can't move it") {
@@ -140,6 +161,9 @@ TEST_SUITE("drives by name") {
       writes |= kind == hw::moteus_kind::write;
     }));
     CHECK_FALSE(writes);
+    const hw::drive_frames stop = drive_named("robstride:rs04:3")->ask();
+    REQUIRE(stop.size() == 1);
+    CHECK(stop[0] == hw::robstride<hw::rs04, 3>::stop());
     CHECK(drive_named("odrive:5")->ask().empty());
     const hw::drive_frames object = drive_named("cia402:4096/0.8:9")->ask();
     REQUIRE(object.size() == 1);
@@ -150,6 +174,7 @@ TEST_SUITE("drives by name") {
     CHECK(complaint("mit") ==
           "`mit` names no drive: expected one of mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, "
           "mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, "
+          "robstride:MODEL:NUMBER, "
           "cia402:COUNTS/TORQUE:NUMBER, "
           "cia402-torque:COUNTS/TORQUE:NUMBER");
     CHECK(
@@ -166,6 +191,19 @@ TEST_SUITE("drives by name") {
     CHECK(complaint("odrive:12.5:3") ==
           "`odrive:12.5:3` names no drive: an ODrive has no ranges; write odrive:NUMBER");
     CHECK(complaint("moteus:80:3") == "`moteus:80:3` names no drive: expected kp and kd as `80/2`, got `80`");
+    CHECK(complaint("robstride:3") ==
+          "`robstride:3` names no drive: it needs the ranges of its model, which no frame reports: "
+          "robstride:RANGES:3");
+    CHECK(
+        complaint("robstride:rs09:3") ==
+        "`robstride:rs09:3` names no drive: expected a model (rs01, rs04, cybergear) or ranges of position, "
+        "velocity, torque, stiffness and damping as `12.57/20/60/5000/100`, got `rs09`");
+    CHECK(complaint("robstride:rs04:128") ==
+          "`robstride:rs04:128` names no drive: its number is at most 127");
+    CHECK(complaint("robstride:rs04:3@3") ==
+          "`robstride:rs04:3@3` names no drive: it can't answer under the id that it listens to");
+    CHECK(complaint("moteus:80/2:3@4") ==
+          "`moteus:80/2:3@4` names no drive: only MIT drives and RobStrides answer under another id, `@ID`");
     CHECK(complaint("damiao:12.5/-45/20:7").ends_with("got `12.5/-45/20`"));
     CHECK(complaint("servo:3").find("there is no family `servo`") != std::string::npos);
     CHECK(complaint("odrive:3x").find("`3x` is no number") != std::string::npos);

@@ -30,6 +30,7 @@ constexpr std::array families{
     family{"odrive:3", "  odrive:3  ", false},
     family{"odrive-0.5:70", "  odrive:70  ", false},
     family{"moteus:20/0.8:4", "  moteus:4  answers 400##", true},
+    family{"robstride:rs01:5", "  robstride:5  answers 020005FD#", true},
     family{"cia402-torque:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", false},
     family{"cia402:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", true, 0.9}};
 
@@ -69,7 +70,8 @@ TEST_SUITE("every family") {
     for (const family& f : families) {
       CAPTURE(f.name);
       rig r({f.name});
-      list(r.bus, {.ask = {"mit", "moteus", "cia402"}, .first = 1, .last = 9, .listen = 0.5}, r, r.say);
+      list(r.bus, {.ask = {"mit", "moteus", "robstride", "cia402"}, .first = 1, .last = 9, .listen = 0.5}, r,
+           r.say);
       CHECK_MESSAGE(r.printed(f.listed), r.out.str());
       rig w({f.name});
       w.drives[0]->motor.now.position = 0.2502;
@@ -161,7 +163,7 @@ TEST_SUITE("every family") {
     std::remove(file.c_str());
   }
   TEST_CASE("a CANopen drive in another mode, or with a larger torque setting, is not enabled") {
-    const family torque = families[6], position = families[7];
+    const family torque = families[7], position = families[8];
     rig other({position.name});
     const auto as_torque_drive = drive_named(torque.name);
     jog_order o{

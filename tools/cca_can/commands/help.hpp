@@ -7,7 +7,7 @@ inline constexpr const char* help_text = R"(cca-can: CAN buses and the drives on
 
   cca-can list                              the CAN interfaces: state, bit rate, counters
   cca-can list BUS [--ask FAMILIES]         drives that report by themselves, or answer
-      --ask mit,moteus,cia402               asks these families, with frames that can't move a motor
+      --ask mit,moteus,robstride,cia402     asks these families, with frames that can't move a motor
       --ids FIRST-LAST                      which numbers to ask (1-16)
       --listen S                            how long to listen first (0.5)
   cca-can watch BUS DRIVE... [--ask] [--seconds S]
@@ -37,7 +37,8 @@ BUS `memory` is a bus in this program, for machines without CAN: --pretend DRIVE
 drives are played on it (without it those that the command names).
 DRIVE: mit:ak80-9:3 (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64, or ranges of position/velocity/torque as
        mit:12.5/45/20:3), damiao:12.5/45/20:3, mit-original:12.5/45/18:3; mit:ak80-9:3@16 answers under the id 16;
-       odrive:3, odrive-0.5:3, moteus:KP/KD:3, cia402:COUNTS/RATED_TORQUE:3 (cyclic position), cia402-torque:... (torque)
+       odrive:3, odrive-0.5:3, moteus:KP/KD:3, robstride:rs04:3 (rs01, cybergear, or ranges of position/velocity/torque/
+       stiffness/damping; @HOST if it does not answer to 253), cia402:COUNTS/RATED_TORQUE:3 (cyclic position), cia402-torque:... (torque)
 @FILE stands for the words in FILE, where # begins a comment. BUS with `,fd`: CAN FD, as in can0,fd.
 Ends with 0: done. 1: a drive or the bus failed; what was enabled has been disabled. 2: command line. 3: file or interface.
 4: not confirmed. 130: ended by ctrl-c, disabled.

@@ -1,9 +1,9 @@
 // cca-can list: which drives are on a bus. It listens first; with --ask it then asks the numbers of a family.
 //
 // The questions can't move a motor: a moteus reads registers, a CANopen drive an object; an MIT drive is told
-// to leave the motor mode, which takes its torque away, and answers. A number is not asked if somebody sends
-// to such a drive, or if another frame was heard under its id: a frame can mean different things to different
-// families.
+// to leave the motor mode and a RobStride to stop, which takes its torque away, and answers. A number is not
+// asked if somebody sends to such a drive, or if another frame was heard under its id: a frame can mean
+// different things to different families.
 #pragma once
 
 #include <algorithm>
@@ -134,7 +134,7 @@ ending list(Bus& bus, const list_order& o, pace& time, console& say) {
     say.out << "  nobody acknowledges: is anything on this bus powered, at this bit rate?\n";
   if (all.empty())
     say.out << "  no drive "
-            << (o.ask.empty() ? "reports by itself; --ask mit,moteus,cia402 asks\n" : "answers\n");
+            << (o.ask.empty() ? "reports by itself; --ask mit,moteus,robstride,cia402 asks\n" : "answers\n");
   return all.empty() ? failed : done;
 }
 

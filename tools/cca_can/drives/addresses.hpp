@@ -14,6 +14,7 @@
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/moteus.hpp>
 #include <cca/hardware/odrive.hpp>
+#include <cca/hardware/robstride.hpp>
 
 #include "any_drive.hpp"
 #include "canopen_objects.hpp"
@@ -129,6 +130,56 @@ struct moteus_address {
   template <class Drive>
   hw::set_point_frames set_point(const hw::drive_command& c, double most_torque) const {
     return Drive::set_point(c, most_torque);
+  }
+};
+
+// It answers each frame. Asking takes its torque away: the question is the frame that stops it.
+using unit_robstride = hw::robstride<unit_ranges, 1>;
+
+struct robstride_address {
+  std::uint32_t number = 1, host = unit_host;
+  static constexpr std::uint32_t unit_host = 0xFD;  // of `unit_robstride`
+  static constexpr const char* family = "RobStride";
+  static constexpr bool needs_fd = false, clocked = false;
+
+  void to_real(hw::can_frame& f) const { move(f, 1, unit_host, number, host); }
+  bool to_unit(hw::can_frame& f) const { return move(f, number, host, 1, unit_host); }
+  bool is_answer(const hw::can_frame&) const { return false; }
+  hw::drive_frames ask() const {
+    hw::can_frame f = unit_robstride::stop();
+    to_real(f);
+    return {f};
+  }
+  hw::drive_frames ask_state() const { return ask(); }
+  template <class Drive>
+  hw::set_point_frames set_point(const hw::drive_command& c, double) const {
+    return Drive::set_point(c);
+  }
+
+private:
+  // A report says from which drive it comes, to which host; a command has its torque there.
+  static bool move(hw::can_frame& f,
+                   std::uint32_t from,
+                   std::uint32_t from_host,
+                   std::uint32_t to,
+                   std::uint32_t to_host) {
+    const std::uint32_t upper = f.id.number & 0xFFFF0000, data = f.id.number >> 8 & 0xFF,
+                        address = f.id.number & 0xFF;
+    const auto is = [&f](hw::robstride_frame type) {
+      return f.id.number >> 24 == static_cast<std::uint32_t>(type);
+    };
+    if (!f.id.extended) return false;
+    if (is(hw::robstride_frame::report)) {
+      if (address != from_host || data != from) return false;
+      f.id.number = upper | to << 8 | to_host;
+    } else if (is(hw::robstride_frame::command)) {
+      if (address != from) return false;
+      f.id.number = upper | data << 8 | to;
+    } else {
+      if (address != from || data != from_host) return false;
+      f.id.number = upper | to_host << 8 | to;
+    }
+    return true;
   }
 };
 

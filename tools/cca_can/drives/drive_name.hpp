@@ -9,6 +9,10 @@
 //   mit:ak80-9:3@16           an MIT drive that answers under the id 16 instead of 0
 //   odrive:3  odrive-0.5:3    ODrive, firmware 0.6 or 0.5; position mode, jog uses torque
 //   moteus:80/2:3             moteus, with servo.pid_position.kp and kd in N m/rad and N m s/rad
+//   robstride:rs04:3          RobStride, CyberGear: rs01, rs04, cybergear
+//   robstride:12.57/20/60/5000/100:3
+//                             the same with ranges of position, velocity, torque, stiffness and damping
+//   robstride:rs04:3@0        a RobStride that answers to the host 0 instead of 253
 //   cia402:4096/0.8:5         CANopen, with counts a turn and rated torque in N m; cyclic position
 //   cia402-torque:4096/0.8:5  the same; cyclic torque
 #pragma once
@@ -23,6 +27,7 @@
 #include <cca/hardware/virtual_mit.hpp>
 #include <cca/hardware/virtual_moteus.hpp>
 #include <cca/hardware/virtual_odrive.hpp>
+#include <cca/hardware/virtual_robstride.hpp>
 
 #include "addresses.hpp"
 #include "any_drive.hpp"
@@ -34,7 +39,7 @@ namespace detail {
 
 inline constexpr const char* families =
     "mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, "
-    "moteus:KP/KD:NUMBER, "
+    "moteus:KP/KD:NUMBER, robstride:MODEL:NUMBER, "
     "cia402:COUNTS/TORQUE:NUMBER, cia402-torque:COUNTS/TORQUE:NUMBER";
 
 template <class Ranges>
@@ -46,7 +51,7 @@ drive_scale scale_of() {
 
 struct drive_parts {
   std::string family, ranges;
-  std::uint32_t number = 0, master = 0;
+  std::uint32_t number = 0, master = 0;  // master: the id of an MIT drive's answers, or a RobStride's host
 };
 
 [[noreturn]] inline void no_drive(const std::string& text, const std::string& why) {
@@ -68,16 +73,19 @@ inline drive_parts parts_of(const std::string& text) {
   drive_parts p{.family = words[0], .ranges = words.size() == 3 ? words[1] : ""};
   const auto number = split(words.back(), '@');
   const bool mit = p.family == "mit" || p.family == "mit-original" || p.family == "damiao";
-  if (number.size() > 2 || (number.size() == 2 && !mit))
-    no_drive(text, "only MIT drives answer under another id, `@ID`");
+  const bool robstride = p.family == "robstride";
+  if (robstride) p.master = robstride_address::unit_host;
+  if (number.size() > 2 || (number.size() == 2 && !mit && !robstride))
+    no_drive(text, "only MIT drives and RobStrides answer under another id, `@ID`");
   const std::uint32_t most = p.family == "damiao"             ? 15
                              : mit                            ? 255
                              : p.family.starts_with("odrive") ? 0xFFFFFF
                                                               : 127;
   p.number = drive_number(text, number[0], most);
-  if (number.size() == 2) p.master = drive_number(text, number[1], 0x7FF);
+  if (number.size() == 2) p.master = drive_number(text, number[1], robstride ? 0xFF : 0x7FF);
   if (p.number == 0 && !p.family.starts_with("odrive")) no_drive(text, "its number is at least 1");
-  if (mit && p.master == p.number) no_drive(text, "it can't answer under the id that it listens to");
+  if ((mit || robstride) && p.master == p.number)
+    no_drive(text, "it can't answer under the id that it listens to");
   return p;
 }
 
@@ -116,6 +124,16 @@ inline drive_scale mit_scale(const std::string& text, const std::string& ranges,
   return {n[0], n[1], n[2], n.size() > 3 ? n[3] : 500, n.size() > 4 ? n[4] : 5};
 }
 
+inline drive_scale robstride_scale(const std::string& text, const std::string& ranges) {
+  if (ranges == "rs01") return scale_of<hw::rs01>();
+  if (ranges == "rs04") return scale_of<hw::rs04>();
+  if (ranges == "cybergear") return scale_of<hw::cybergear>();
+  const auto n = numbers_of(text, ranges, 5, 5,
+                            "a model (rs01, rs04, cybergear) or ranges of position, velocity, torque, "
+                            "stiffness and damping as `12.57/20/60/5000/100`");
+  return {n[0], n[1], n[2], n[3], n[4]};
+}
+
 // Calls f(type of drive, address, scale), with f.template operator()<Drive>(address, scale).
 template <class F>
 auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&& f) {
@@ -142,6 +160,11 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
       s.stiffness = n[0], s.damping = n[1];
     }
     return f.template operator()<unit_moteus>(moteus_address{p.number}, s);
+  }
+  if (p.family == "robstride") {
+    const drive_scale s =
+        ranges("the ranges of its model") ? robstride_scale(text, p.ranges) : drive_scale{12.57};
+    return f.template operator()<unit_robstride>(robstride_address{p.number, p.master}, s);
   }
   if (p.family == "cia402" || p.family == "cia402-torque") {
     drive_scale s;
@@ -201,6 +224,10 @@ struct played<hw::odrive<Node, Mode, Firmware, Period>> {
 template <class Motor, std::uint8_t Servo, std::uint8_t Source, std::uint16_t Prefix>
 struct played<hw::moteus<Motor, Servo, Source, Prefix>> {
   using type = hw::virtual_moteus<hw::moteus<Motor, Servo, Source, Prefix>>;
+};
+template <hw::MitRanges Ranges, std::uint8_t Number, std::uint8_t Host>
+struct played<hw::robstride<Ranges, Number, Host>> {
+  using type = hw::virtual_robstride<hw::robstride<Ranges, Number, Host>, watchdog>;
 };
 template <class Motor, std::uint8_t Node, hw::cia402_mode Mode>
 struct played<hw::cia402<Motor, Node, Mode>> {

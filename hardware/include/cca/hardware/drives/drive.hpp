@@ -33,7 +33,7 @@
 //   D::is_off(report)         the report says that the drive holds nothing, where that is not the activity
 //                             `disabled` or `faulted`
 //
-// Models: mit.hpp, odrive.hpp, moteus.hpp, cia402.hpp. docs/drives.md.
+// Models: mit.hpp, odrive.hpp, moteus.hpp, robstride.hpp, cia402.hpp. docs/drives.md.
 #pragma once
 
 #include <array>

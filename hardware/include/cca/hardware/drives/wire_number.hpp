@@ -36,7 +36,8 @@ struct steps {
       cut |= number > upper;
       return (std::uint32_t{1} << bits) - 1;
     }
-    const double exact = (number - lower) * count() / (upper - lower);
+    // Divided first: the middle of a symmetric range is then half-way exactly, whatever the range.
+    const double exact = (number - lower) / (upper - lower) * count();
     const auto below = static_cast<std::uint32_t>(exact);
     return exact - static_cast<double>(below) > 0.5 ? below + 1 : below;
   }

@@ -11,8 +11,8 @@
 //   V::waits                 true: it must be enabled first; false: a set point is enough where it is off, as
 //                            after a reboot
 //   v.go_silent(true), v.fail(code), v.reboot(now, duration), v.clear()   faults on demand, and their end
-// Models: virtual_mit.hpp, virtual_odrive.hpp, virtual_moteus.hpp, virtual_cia402.hpp. Laws:
-// tests/laws/virtual_drive_laws.hpp. Times are in ns. Nothing is allocated; a copy is a snapshot.
+// Models: virtual_mit.hpp, virtual_odrive.hpp, virtual_moteus.hpp, virtual_robstride.hpp, virtual_cia402.hpp.
+// Laws: tests/laws/virtual_drive_laws.hpp. Times are in ns. Nothing is allocated; a copy is a snapshot.
 // docs/drives.md.
 //
 // virtual_motor: one motor and its load, where no simulator moves the joint.

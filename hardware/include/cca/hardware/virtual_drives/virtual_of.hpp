@@ -5,6 +5,7 @@
 #include <cca/hardware/virtual_drives/virtual_mit.hpp>
 #include <cca/hardware/virtual_drives/virtual_moteus.hpp>
 #include <cca/hardware/virtual_drives/virtual_odrive.hpp>
+#include <cca/hardware/virtual_drives/virtual_robstride.hpp>
 
 namespace cca::hardware {
 
@@ -24,6 +25,8 @@ struct virtual_of<odrive<Node, Mode, Firmware, Estimates, Torques>>
 template <class Motor, std::uint8_t Servo, std::uint8_t Source, std::uint16_t Prefix>
 struct virtual_of<moteus<Motor, Servo, Source, Prefix>>
     : virtual_moteus<moteus<Motor, Servo, Source, Prefix>> {};
+template <class Ranges, std::uint8_t Number, std::uint8_t Host>
+struct virtual_of<robstride<Ranges, Number, Host>> : virtual_robstride<robstride<Ranges, Number, Host>> {};
 template <class Motor, std::uint8_t Node, cia402_mode Mode>
 struct virtual_of<cia402<Motor, Node, Mode>> : virtual_cia402<cia402<Motor, Node, Mode>> {};
 
