@@ -166,6 +166,14 @@ TEST_CASE("robstride: replies of other drives, to other hosts, of other types an
   f.fd = true;
   CHECK_FALSE(hip::decode(f, r));
   f = good;
+  f.fast = true;  // no classic frame is
+  CHECK_FALSE(hip::decode(f, r));
+  drive_command c;
+  f = hip::still();
+  REQUIRE(hip::hear(f, c));
+  f.fast = true;
+  CHECK_FALSE(hip::hear(f, c));
+  f = good;
   f.remote = true;
   CHECK_FALSE(hip::decode(f, r));
   f = good;

@@ -134,7 +134,7 @@ struct robstride {
   }
 
   static constexpr bool decode(const can_frame& f, drive_report& r) noexcept {
-    if (!replies[0].matches(f.id) || f.fd || f.remote || f.length != 8) return false;
+    if (!replies[0].matches(f.id) || f.fd || f.remote || !f.valid() || f.length != 8) return false;
     const std::uint32_t position = got_step(f, 0), speed = got_step(f, 2), torque = got_step(f, 4);
     r.position = range<angle>().from_step(position);
     r.velocity = range<velocity>().from_step(speed);
@@ -193,7 +193,7 @@ struct robstride {
 
   // The drive's side, for virtual drives. `hear`: whether the frame is a command, which is then in `c`.
   static constexpr bool hear(const can_frame& f, drive_command& c) noexcept {
-    if (!requests[0].matches(f.id) || f.fd || f.remote || f.length != 8) return false;
+    if (!requests[0].matches(f.id) || f.fd || f.remote || !f.valid() || f.length != 8) return false;
     c = {.position = range<angle>().from_step(got_step(f, 0)),
          .velocity = range<velocity>().from_step(got_step(f, 2)),
          .torque = range<cca::torque>().from_step(f.id.number >> 8 & 0xFFFF),
