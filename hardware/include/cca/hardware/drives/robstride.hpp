@@ -16,7 +16,7 @@
 //               command; zero command, enable, zero command. Done when the drive reports the motor mode
 //   faults      the lowest of the six bits that is set; `code` has all of them. A CyberGear calls bit 1
 //               over-current and bit 4 the Hall sensors
-//   watchdog    CAN_TIMEOUT (7028h; CyberGear 200Ch), 20000 a second: then it enters the reset mode, without
+//   watchdog    CAN_TIMEOUT (CyberGear: 200Ch), 20000 a second: then it enters the reset mode, without
 //               torque. It is 0 by default: then the drive follows the last command for ever. Set it
 // Ranges belong to the model, and no frame names them. State your own for models that are not listed.
 //
@@ -24,10 +24,10 @@
 // Source: RobStride RS04 manual, driver protocol, types 1 to 4, 18 and 21 (as transcribed in
 // zhangyan612/armController leg/canDoc.md); CyberGear manual 4.1 (belovictor/cybergear-docs); RobStride's
 // own RobStride/SampleProgram RS/Robstride01.cpp, for the ranges of the RS01 and for host 0xFD; CAN_TIMEOUT:
-// RS02 manual, pp. 31 and 47.
+// RS02 manual, pp. 31 and 47, as it is cited.
 // Not verified: the host to which a command is answered, since its id names none; look first, and state
-// `Host`. The end of the CyberGear's angle: 4 pi in its table, 12.5 in its example.
-// docs/drives.md.
+// `Host`. The end of the CyberGear's angle: 4 pi in its table, 12.5 in its example. What a command does
+// before the drive is enabled, and what feeds CAN_TIMEOUT. docs/drives.md.
 #pragma once
 
 #include <array>
