@@ -152,7 +152,8 @@ struct joint_field {
 };
 
 // `root`: of the base, with gravity taken from its acceleration. Without `Angles` only the derivatives by the
-// velocities and the mass matrix.
+// velocities and the mass matrix. The loads are then not set, and not read either: g++ 12 refuses to read
+// their default values in the second of two bodies.
 template <int Size, bool Angles = true, class S, std::size_t Count, class Vector>
 constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<Count>& b,
                                                              const std::array<placed_joint<S>, Count>& joints,
@@ -184,7 +185,7 @@ constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<
     const std::size_t z = own.axis, x = (z + 1) % 3, y = (z + 2) % 3;
     const auto c = static_cast<std::size_t>(own.coordinate);
     const triple<S>&f = loads[i].force, &n = loads[i].moment;
-    d.torques[c] = d.torques[c] + ratio * (own.revolute ? n[z] : f[z]);
+    if (Angles) d.torques[c] = d.torques[c] + ratio * (own.revolute ? n[z] : f[z]);
 
     const joint_field<S>& at_joint = field[i];
     link_load<S> inertia = own.revolute ? bodies[i].load_about(z) : bodies[i].load_along(z);
@@ -199,8 +200,8 @@ constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<
       triple<S> axis;
       axis[z] = ratio;
       by_speed = by_speed + moving[i].load_of(axis);
-      turned.moment = cross(axis, n), turned.force = cross(axis, f);
-    } else {
+      if (Angles) turned = {cross(axis, n), cross(axis, f)};
+    } else if (Angles) {
       turned.moment[x] = -(ratio * f[y]), turned.moment[y] = ratio * f[x];
     }
     const auto along = [](const reduced_link& l, const link_load<S>& load) {
@@ -236,8 +237,10 @@ constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<
     }
     if (own.parent < 0) continue;
     const auto p = static_cast<std::size_t>(own.parent);
-    const triple<S> force = joints[i].up(f);
-    loads[p] = loads[p] + link_load<S>{joints[i].up(n) + cross(joints[i].at, force), force};
+    if (Angles) {
+      const triple<S> force = joints[i].up(f);
+      loads[p] = loads[p] + link_load<S>{joints[i].up(n) + cross(joints[i].at, force), force};
+    }
     bodies[p].add(bodies[i], joints[i]);
     moving[p].add(moving[i], joints[i]);
   }
