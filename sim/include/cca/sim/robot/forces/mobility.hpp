@@ -38,7 +38,7 @@ public:
         solver_(inertia_.size()) {
     const Eigen::Index count = coordinates_ + static_cast<Eigen::Index>(model->line_springs.size());
     slopes_.setZero(inertia_.size(), count);
-    slopes_.middleRows(inertia_.first(), coordinates_).setIdentity();
+    if (coordinates_ > 0) slopes_.middleRows(inertia_.first(), coordinates_).setIdentity();
     now_.setZero(count, count);
     most_.setZero(count);
     levers_.assign(model_->line_springs.size(), std::vector<double>(model_->drives.size(), 0));
