@@ -1,4 +1,4 @@
-// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 2 \(DM4310\) both use the id 0x000: what one answers
+// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 2 \(DM4310\) both use the id 0x000: what one answers would be taken for an answer of the other; give
 // Drives may answer under one id if their first byte tells them apart. The number of a Damiao is in half of
 // that byte: 15h, the number of the AK here, is also the Damiao 5 that reports that it is enabled.
 #include <cca/hardware/bus_plan.hpp>

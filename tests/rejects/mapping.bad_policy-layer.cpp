@@ -1,4 +1,4 @@
-// EXPECT: mapping\.bad_policy: layer 2 of this network has no units
+// EXPECT: mapping\.bad_policy: layer 2 of the network 1 - 16 - 0 - 1 \(inputs, layers, outputs\) has no units
 // Nothing gets through a layer without units.
 #include <cca/mapping/policy.hpp>
 

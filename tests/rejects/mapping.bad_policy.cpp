@@ -1,4 +1,4 @@
-// EXPECT: mapping\.bad_policy: this policy has no inputs, so its network sees nothing
+// EXPECT: mapping\.bad_policy: the policy that publishes angles \(joint_angles over hip\) has no inputs, so its network sees nothing
 // What a network sees are ports, so each wire to it is checked.
 #include <cca/mapping/policy.hpp>
 

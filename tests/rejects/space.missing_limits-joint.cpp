@@ -1,5 +1,4 @@
 // EXPECT: space\.missing_limits: the axis `knee` of a joint states no limits of velocity and torque; a drive is commanded only within limits: add `cca::velocity{lower, upper}`, `cca::torque{lower, upper}` to the `limits` of its dimension
-// ERRORS: 2
 // A limiter needs only the limits of what it limits; a drive stops on all three.
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/mit.hpp>

@@ -202,6 +202,16 @@ struct placed : cca::deployment<both<delayed>, some<"here", "a">, some<"there", 
 static_assert(tells<misspelt, placed>(
     {"deployment.unknown_node", "aa",
      "environment `here` names `aa`, but no mode of misspelt has such a node; did you mean `a`?"}));
+// The names of all modes count: `thinker` is only in the second one.
+struct thinking : khz<cca::node<"thinker", source<>>> {};
+struct misspelt_in_second
+    : cca::deployment<either<delayed, thinking>, some<"here", "a", "thinkr">, some<"there", "s">> {};
+struct placed_in_second
+    : cca::deployment<either<delayed, thinking>, some<"here", "a", "thinker">, some<"there", "s">> {};
+static_assert(tells<misspelt_in_second, placed_in_second>(
+    {"deployment.unknown_node", "thinkr",
+     "environment `here` names `thinkr`, but no mode of misspelt_in_second has such a node; did you mean "
+     "`thinker`?"}));
 struct unplaced : cca::deployment<either<delayed, rest>, some<"here", "a">, some<"there", "s">> {};
 struct all_placed : cca::deployment<either<delayed, rest>, some<"here", "a">, some<"there", "s", "b">> {};
 static_assert(tells<unplaced, all_placed>(

@@ -49,6 +49,14 @@ struct hidden_layers {};
 
 namespace detail {
 template <class To>
+struct no_observations {
+  static constexpr void tell(text& m) {
+    m << "mapping.bad_policy: the policy that publishes " << space_in_words<To>()
+      << " has no inputs, so its network sees nothing; name its observations in "
+         "cca::policy_inputs<cca::in<...>, ...>";
+  }
+};
+template <class To>
 struct output_without_limits {
   static constexpr void tell(text& m) {
     m << "mapping.bad_policy: the output of this policy, " << space_in_words<To>()
@@ -63,9 +71,7 @@ struct policy;
 
 template <class... In, int... Units, class Activation, Space To>
 struct policy<policy_inputs<In...>, hidden_layers<Units...>, Activation, To> {
-  static_assert(sizeof...(In) > 0,
-                "mapping.bad_policy: this policy has no inputs, so its network sees nothing; name its "
-                "observations in cca::policy_inputs<cca::in<...>, ...>");
+  static_assert(detail::holds_or_tells<(sizeof...(In) > 0), detail::no_observations<To>>::value);
   static_assert(
       detail::holds_or_tells<(To::size == To::axes::count), detail::output_without_limits<To>>::value);
   // Without inputs only the message above, not the errors that follow from it.

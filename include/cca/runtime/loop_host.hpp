@@ -48,6 +48,7 @@ public:
         if constexpr (Controls<Between, Self>)
           if (!listen(pace, between, [&] { paced_from = i + 1; })) break;
       }
+      if constexpr (requires { between.after_last_beat(self()); }) between.after_last_beat(self());
     }
     if (now == cca::state::started) this->tell_state();
     tell_end(between, self());

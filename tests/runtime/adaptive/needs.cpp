@@ -39,6 +39,7 @@ static_assert(
                    cca::out<"status", cca::component_status_port>,
                    cca::fault>>);
 
+// [own sequence]
 struct own_sequencer {
   auto process(cca::beat now) -> decltype(plan::asks(0)) {
     steps.update(now);
@@ -47,6 +48,7 @@ struct own_sequencer {
   void on_start() { steps = {}; }
   cca::sequence<plan> steps;
 };
+// [own sequence end]
 
 // [needs]
 template <class Sequencer>

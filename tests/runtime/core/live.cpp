@@ -47,6 +47,11 @@ TEST_SUITE("live access") {
     CHECK_EQ(refusal([&] { (void)live.newest("other.y"); }),
              "cca::live_access: nobody observes `other.y`: add cca::observe<\"other.y\"> to the items of the "
              "graph");
+    CHECK_EQ(refusal([&] { (void)live.newest("sorce.y"); }),
+             "cca::live_access: newest: there is no output `sorce.y`; did you mean `source.y`?");
+    CHECK_EQ(refusal([&] { (void)live.newest("a.port.far.away"); }),
+             "cca::live_access: newest: there is no output `a.port.far.away`: give the path of one, as in "
+             "`robot.angles`");
   }
 
   TEST_CASE("requests of another thread are taken between two beats") {
@@ -197,6 +202,34 @@ TEST_SUITE("live access") {
     window.join();
     // [live end]
     CHECK(c.beat_index() < 10'000);
+  }
+
+  TEST_CASE("an output that an inner graph exposes has that name, too") {
+    struct body : cca::graph<cca::node<"legs", source>, cca::expose<"legs.y", "angles">> {};
+    struct with_body : cca::graph<cca::rate<1000>, cca::node<"robot", body>, cca::node<"other", source>,
+                                  cca::observe<"other.y">> {};
+    auto c = started<cca::controller<with_body>>();
+    cca::live_access live(c);
+    CHECK_EQ(refusal([&] { (void)live.newest("robot.angles"); }),
+             "cca::live_access: nobody observes `robot.angles`: add cca::observe<\"robot.angles\"> to the "
+             "items of the graph");
+    CHECK_EQ(refusal([&] { (void)live.newest("robot.anlges"); }),
+             "cca::live_access: newest: there is no output `robot.anlges`; did you mean `robot.angles`?");
+  }
+
+  TEST_CASE("a run of no beats takes the request that waits, and so does the end of a run") {
+    auto c = started<played>();
+    cca::live_access live(c);
+    CHECK(live.set("source.slope", 5.0));
+    CHECK_FALSE(live.is_taken());
+    c.run(cca::for_beats<0>{}, cca::as_fast_as_possible{}, live);
+    CHECK(live.is_taken());
+    CHECK_EQ(c.get<"source">().p.slope, 5.0);
+    CHECK_EQ(c.beat_index(), 0);
+    CHECK(live.stop("source"));
+    c.run(cca::for_beats<0>{}, cca::at_wall_clock(), live);
+    CHECK(c.is_stopped("source"));
+    CHECK_EQ(c.get<"source">().stops, 1);
   }
 
   TEST_CASE("what is wrong is refused in the thread that asks, and nothing changes") {

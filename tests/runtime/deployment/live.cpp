@@ -190,6 +190,30 @@ TEST_SUITE("live access to a deployment") {
     });
   }
 
+  TEST_CASE("an output that does not exist is refused with the nearest one, of whichever environment") {
+    started_one c;
+    played& d = c;
+    cca::live_access<played> live(d);
+    CHECK_EQ(refusal([&] { (void)live.newest("thinker.x"); }),
+             "cca::live_access: newest: there is no output `thinker.x`; did you mean `thinker.y`?");
+    CHECK_EQ(refusal([&] { (void)live.newest("asleep.y"); }),
+             "cca::live_access: nobody observes `asleep.y`: add cca::observe<\"asleep.y\"> to the items of "
+             "the graph, and ask the process that runs it");
+  }
+
+  TEST_CASE("a run of no beats takes the request that waits, as of a controller") {
+    both_paces([](auto pace) {
+      started_one c;
+      played& d = c;
+      cca::live_access<played> live(d);
+      CHECK(live.set("thinker.slope", 5.0));
+      d.run(cca::for_beats<0>{}, pace, live);
+      CHECK(live.is_taken());
+      CHECK_EQ(d.get<"thinker">().p.slope, 5.0);
+      CHECK_EQ(d.beat_index(), 0);
+    });
+  }
+
   TEST_CASE("a window in another thread") {
     const auto show = [](double) {};
     // [live]

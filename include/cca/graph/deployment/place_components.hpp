@@ -63,8 +63,9 @@ struct placer {
             found = true;
             place(n, e);
           }
-        if (!found && !is_in_other_mode(path))
-          check<when::placed_path>(g, {.environment = e, .name = environment.paths[p]});
+        if (found || is_in_other_mode(path)) continue;
+        g.modes = modes;
+        check<when::placed_path>(g, {.environment = e, .name = environment.paths[p]});
       }
     }
   }

@@ -63,9 +63,10 @@ struct finished_call {};   // [call]
 struct finished_input {};  // of a space [input]
 struct stated_latency {};  // [output, input]: both ends of a require
 // place the components of a deployment
-struct stated_deployment {};      // [no item]
-struct stated_environment {};     // [environment, no item]
-struct placed_path {};            // a path that names nothing [name, environment, no item]
+struct stated_deployment {};   // [no item]
+struct stated_environment {};  // [environment, no item]
+// A path that names nothing, in no mode [name, environment, no item; flat_view::modes: those of a set].
+struct placed_path {};
 struct placed_node {};            // named by a second environment [environment], or by none [node]
 struct finished_environment {};   // all components have their place [environment, no item]
 struct free_node {};              // a component of a free-running environment [node, environment]

@@ -7,58 +7,12 @@
 #include <string_view>
 
 #include <cca/graph/verdict/diagnosis.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/graph/diagnosis/nearest_output.hpp>
 #include <cca/graph/items/shows.hpp>
 #include <cca/space/info.hpp>
 
 namespace cca::detail {
-
-// The number of the output with this path; -1: there is none.
-constexpr int output_named(const flat_view& g, std::string_view path) {
-  for (int o = 0; o < g.output_count - g.taken_count; ++o) {
-    text known;
-    add_port(known, g, g.outputs[o]);
-    if (known.view() == path) return o;
-  }
-  for (int s = 1; s < g.scope_count; ++s) {
-    text inner;
-    add_scope_path(inner, g, s);
-    if (!path.starts_with(inner.view())) continue;
-    const std::string_view name = path.substr(inner.size);
-    for (int i = 0; i < g.scopes[s].graph->count; ++i)
-      if (const auto& item = g.scopes[s].graph->items[i]; item.kind == item_kind::expose && item.to == name)
-        return output_named(g, (inner << item.from).view());
-  }
-  return -1;
-}
-
-// Of all outputs, and of those that an inner graph exposes; empty if none is near.
-constexpr text nearest_output(const flat_view& g, std::string_view wrong) {
-  text nearest;
-  std::size_t least = wrong.size() / 3 + 2;
-  const auto consider = [&](const text& candidate) {
-    const auto size = candidate.size;
-    if ((size < wrong.size() ? wrong.size() - size : size - wrong.size()) >= least) return;
-    if (const auto distance = edit_distance(wrong, candidate.view()); distance < least) {
-      least = distance;
-      nearest = candidate;
-    }
-  };
-  for (int s = 1; s < g.scope_count; ++s)
-    for (int i = 0; i < g.scopes[s].graph->count; ++i) {
-      const auto& item = g.scopes[s].graph->items[i];
-      if (item.kind != item_kind::expose) continue;
-      text candidate;
-      add_scope_path(candidate, g, s);
-      candidate << item.to;
-      if (output_named(g, candidate.view()) >= 0) consider(candidate);
-    }
-  for (int o = 0; o < g.output_count - g.taken_count; ++o) {
-    text candidate;
-    add_port(candidate, g, g.outputs[o]);
-    consider(candidate);
-  }
-  return nearest;
-}
 
 struct shown_ports {
   int angles = -1, orientation = -1;  // outputs; -1: none is stated
@@ -115,8 +69,8 @@ template <class Graph>
 inline constexpr shown_ports shown_ports_of = find_shown_ports<Graph>();
 
 template <class Graph>
-struct said_of_shown_ports {
-  static constexpr std::string_view view() { return shown_ports_of<Graph>.mistake.view(); }
+struct wrong_shown_port {
+  static constexpr void tell(text& m) { m << shown_ports_of<Graph>.mistake.view(); }
 };
 
 // Of a sound graph: whether what it shows is sound too.
@@ -129,12 +83,7 @@ constexpr bool shows_known_ports() {
 // A class, so a recorder and cca::check report the mistake once.
 template <class Graph>
 struct checked_shows {
-  static_assert(sizeof(printed<said_of_shown_ports<Graph>>) != 0);
-  constexpr operator bool() const { return true; }
-};
-template <class Graph>
-  requires(shows_known_ports<Graph>())
-struct checked_shows<Graph> {
+  static_assert(holds_or_tells<shows_known_ports<Graph>(), wrong_shown_port<Graph>>::value);
   constexpr operator bool() const { return true; }
 };
 

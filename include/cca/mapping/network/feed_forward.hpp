@@ -123,8 +123,10 @@ struct empty_layer {
   static constexpr void tell(text& m) {
     int layer = 0, empty = -1;  // 0: the inputs
     ((empty = empty < 0 && Units < 1 ? layer : empty, ++layer), ...);
-    m << "mapping.bad_policy: layer " << empty
-      << " of this network has no units; each number in cca::hidden_layers<...> is at least 1";
+    m << "mapping.bad_policy: layer " << empty << " of the network ";
+    int written = 0;
+    ((m << (written++ > 0 ? " - " : "") << Units), ...);
+    m << " (inputs, layers, outputs) has no units; each number in cca::hidden_layers<...> is at least 1";
   }
 };
 // In a function; mapping.hpp says why.

@@ -12,15 +12,15 @@
 //
 // It is made from the controller of a graph or of a set of modes, or from a cca::deployed. There each
 // environment of this process shows its outputs and takes its part of a request between two of its own beats,
-// in its own thread, at any pace; what no beat has taken is taken when the run ends.
+// in its own thread, at any pace. What no beat has taken is taken when the run ends.
 //
-// Any thread may call any member function but the call operator, after_beat, goes_on and run_ended, which are
-// the loops'. A request is checked in the thread that makes it. If it can't be done, `cca::refused` is thrown
-// in that thread, with the message that the controller would give. `false`: an earlier request has not been
-// taken yet. Parameters are those of the time when this was made, and what was set through it since then:
-// while it is in use, set them through it alone. Cost: what is observed is copied once, and one atomic number
-// is read. set and load of a path or file need <cca/config.hpp>. Example: tests/runtime/core/live.cpp;
-// docs/controller.md, docs/environments.md.
+// Any thread may call any member function but the call operator, after_beat, after_last_beat, goes_on and
+// run_ended, which are the loops'. A request is checked in the thread that makes it. If it can't be done,
+// `cca::refused` is thrown in that thread, with the message that the controller would give. `false`: an
+// earlier request has not been taken yet. Parameters are those of the time when this was made, and what was
+// set through it since then: while it is in use, set them through it alone. Cost: what is observed is copied
+// once, and one atomic number is read. set and load of a path or file need <cca/config.hpp>. Example:
+// tests/runtime/core/live.cpp; docs/controller.md, docs/environments.md.
 #pragma once
 
 #include <atomic>
@@ -38,10 +38,10 @@ namespace cca {
 namespace detail {
 
 template <class Controller, class Graph>
-class live_access_to : public live_outputs<Controller>, public live_requests<Controller, Graph> {
+class live_access_to : public live_outputs<Controller, Graph>, public live_requests<Controller, Graph> {
 public:
   explicit live_access_to(const Controller& c)
-      : live_outputs<Controller>(c),
+      : live_outputs<Controller, Graph>(c),
         live_requests<Controller, Graph>(c),
         gives_beat(live_components::gives_beat(c)) {
     look(c);
@@ -94,7 +94,7 @@ public:
 protected:
   template <int Loop>
   void look_after(Controller& c) {
-    live_outputs<Controller>::template look<Loop>(c);
+    live_outputs<Controller, Graph>::template look<Loop>(c);
     live_requests<Controller, Graph>::template take<Loop>(c);
   }
   // False: another thread has called `end_run()`.
@@ -146,6 +146,8 @@ public:
     return this->look(c);
   }
   bool while_paused(controller<Graph>& c) { return (*this)(c); }
+  // What no beat has taken.
+  void after_last_beat(controller<Graph>& c) { this->template look_after<0>(c); }
 };
 
 // Give it to `run` as it is: in a function of yours it would see one environment only, so it does not

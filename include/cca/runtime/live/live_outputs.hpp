@@ -11,19 +11,28 @@
 #include <vector>
 
 #include <cca/base/refused.hpp>
+#include <cca/graph/diagnosis/nearest_output.hpp>
 #include <cca/runtime/live/live_components.hpp>
 #include <cca/runtime/live/live_output.hpp>
 
 namespace cca::detail {
 
-template <class Controller>
+template <class Controller, class Graph>
 class live_outputs {
 public:
   // The newest sample of an output that an item `observe<...>` of the graph names; empty if there is none
   // yet. Of a set of modes: the last one that was published, also if the active mode lacks the output.
+  // Refused: another path.
   std::optional<live_sample> newest(std::string_view path) const {
     for (const auto& output : outputs)
       if (output.path() == path) return output.newest();
+    const flat_view g = plan_of<Graph>.view();
+    if (output_named(g, path) < 0) {
+      const text near = nearest_output(g, path);
+      throw refused("cca::live_access: newest: there is no output `" + std::string(path) + "`" +
+                    (near.size == 0 ? std::string(": give the path of one, as in `robot.angles`")
+                                    : "; did you mean `" + std::string(near.view()) + "`?"));
+    }
     throw refused("cca::live_access: nobody observes `" + std::string(path) + "`: add cca::observe<\"" +
                   std::string(path) + "\"> to the items of the graph" +
                   (live_loops<Controller>::count > 1 ? ", and ask the process that runs it" : ""));

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <cca/graph/verdict/diagnosis.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/bus/bus_traffic.hpp>
 
 namespace cca::hardware::detail {
@@ -118,12 +118,10 @@ struct bus_figures {
   constexpr bool sound() const { return twice.a < 0 && !overloaded(); }
 };
 
-constexpr cca::detail::report tell_of_bus(std::string_view name,
-                                          std::span<const drive_facts> drives,
-                                          const bus_figures& bus) {
-  cca::detail::report r;
-  r.where << name;
-  auto& t = r.message;
+constexpr void tell_of_bus(cca::detail::text& t,
+                           std::string_view name,
+                           std::span<const drive_facts> drives,
+                           const bus_figures& bus) {
   if (bus.twice.a >= 0) {
     const auto drive = [&](int i) { t << i + 1 << " (" << drives[static_cast<std::size_t>(i)].name << ")"; };
     t << "drive.duplicate_id: on the bus `" << name << "` the drives ";
@@ -132,10 +130,10 @@ constexpr cca::detail::report tell_of_bus(std::string_view name,
     drive(bus.twice.b);
     t << " both use the id ";
     add_id(t, bus.twice.id);
-    t << (bus.twice.answers ? ": what one answers would be taken for the other's"
+    t << (bus.twice.answers ? ": what one answers would be taken for an answer of the other"
                             : ": what is meant for one would move the other as well")
       << "; give each of them an id of its own, in its firmware and in its type";
-    return r;
+    return;
   }
   const double left = static_cast<double>(most_percent) * 1e7 - bus.use.periodic;
   t << "bus.overloaded: the bus `" << name << "` at " << bus.rates.nominal << " bit/s would be in use for "
@@ -151,12 +149,11 @@ constexpr cca::detail::report tell_of_bus(std::string_view name,
       << " Hz, put ";
   else t << "Put ";
   t << "drives on a second bus, or use faster bit rates or CAN FD";
-  return r;
 }
 
 template <class Check>
 constexpr auto check_plan() {
-  if constexpr (!Check::sound) static_assert(sizeof(cca::detail::refusal<Check>) != 0);
+  static_assert(cca::detail::holds_or_tells<Check::sound, Check>::value);
   return std::bool_constant<Check::sound>();
 }
 

@@ -21,6 +21,7 @@
 #include <cca/base/fixed_string.hpp>
 #include <cca/hardware/bus/bus_load.hpp>
 #include <cca/hardware/drives/drive.hpp>
+#include <cca/space/space.hpp>
 
 namespace cca::hardware {
 namespace detail {
@@ -30,7 +31,7 @@ struct plan_check {
   static constexpr std::array<drive_facts, sizeof...(Drives)> drives{facts_of<Drives>()...};
   static constexpr bus_figures figures{drives, Rates, Rate::hz};
   static constexpr bool sound = figures.sound();
-  static constexpr cca::detail::report tell() { return tell_of_bus(Name.view(), drives, figures); }
+  static constexpr void tell(cca::detail::text& m) { tell_of_bus(m, Name.view(), drives, figures); }
 };
 
 }  // namespace detail
@@ -61,11 +62,3 @@ struct can_bus_plan {
 };
 
 }  // namespace cca::hardware
-
-namespace cca::detail {
-
-template <fixed_string Name, hardware::bit_rates Rates, class Rate, class... Drives>
-inline constexpr report report_of<hardware::detail::plan_check<Name, Rates, Rate, Drives...>> =
-    hardware::detail::plan_check<Name, Rates, Rate, Drives...>::tell();
-
-}  // namespace cca::detail

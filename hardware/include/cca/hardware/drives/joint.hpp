@@ -21,7 +21,7 @@
 #include <numbers>
 #include <string_view>
 
-#include <cca/graph/verdict/diagnosis.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/space/limits.hpp>
 #include <cca/space/quantity.hpp>
@@ -59,26 +59,23 @@ struct stated_limits {
                         velocity = cca::detail::axis_has_limits<Axis, cca::velocity>,
                         torque = cca::detail::axis_has_limits<Axis, cca::torque>,
                         sound = angle && velocity && torque;
-  static constexpr cca::detail::report tell() {
-    cca::detail::report r;
-    r.where << Axis::name;
-    r.message << "space.missing_limits: the axis `" << Axis::name << "` of a joint states no limits of ";
+  static constexpr void tell(auto& m) {
+    m << "space.missing_limits: the axis `" << Axis::name << "` of a joint states no limits of ";
     const auto list = [&](std::string_view before, std::string_view between, std::string_view after) {
       bool any = false;
       const auto add = [&](bool stated, std::string_view quantity) {
         if (stated) return;
-        if (any) r.message << between;
-        r.message << before << quantity << after;
+        if (any) m << between;
+        m << before << quantity << after;
         any = true;
       };
       add(angle, "angle"), add(velocity, "velocity"), add(torque, "torque");
     };
     list("", " and ", "");
-    r.message << "; a drive is commanded only within limits: add ";
+    m << "; a drive is commanded only within limits: add ";
     list("`cca::", ", ", "{lower, upper}`");
-    r.message << " to the `limits` of its dimension";
-    if (!angle) r.message << ", or `static constexpr bool continuous = true;` if it turns without end";
-    return r;
+    m << " to the `limits` of its dimension";
+    if (!angle) m << ", or `static constexpr bool continuous = true;` if it turns without end";
   }
 };
 
@@ -135,8 +132,7 @@ constexpr auto check_joint() {
       !is_continuous<Axis> || Mounting.wraps > 0 || turns_of<Device>() / Mounting.gear >= 1000;
   static_assert(holds_or_tells<is_mounted, bad_mounting<Axis, Mounting>>::value);
   static_assert(holds_or_tells<stops, bad_safe_damping<Axis, Servo>>::value);
-  if constexpr (!stated_limits<Axis>::sound)
-    static_assert(sizeof(cca::detail::refusal<stated_limits<Axis>>) != 0);
+  static_assert(holds_or_tells<stated_limits<Axis>::sound, stated_limits<Axis>>::value);
   static_assert(
       holds_or_tells<(turns_on || !is_mounted), wheel_without_wraps<Axis, Device, Mounting>>::value);
 }
@@ -216,11 +212,3 @@ struct joint_list {
 };
 
 }  // namespace cca::hardware
-
-namespace cca::detail {
-
-template <class Axis>
-inline constexpr report report_of<hardware::detail::stated_limits<Axis>> =
-    hardware::detail::stated_limits<Axis>::tell();
-
-}  // namespace cca::detail

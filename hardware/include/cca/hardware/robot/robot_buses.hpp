@@ -60,10 +60,10 @@ struct bus_check<Bus, Rate, Board, joint_list<J...>> {
                 "cca::hardware::robot_buses: all drives on one bus must state the same bit rates");
   static constexpr bus_figures figures{on.view(), on.rates, Rate::hz};
   static constexpr bool sound = figures.sound();
-  static constexpr cca::detail::report tell() {
+  static constexpr void tell(cca::detail::text& m) {
     cca::detail::text name;
     name << static_cast<std::int64_t>(Bus);
-    return tell_of_bus(name.view(), on.view(), figures);
+    tell_of_bus(m, name.view(), on.view(), figures);
   }
 };
 
@@ -108,11 +108,3 @@ struct robot_buses<Rate, Board, joint_list<J...>> {
 };
 
 }  // namespace cca::hardware
-
-namespace cca::detail {
-
-template <std::size_t Bus, class Rate, class Board, class Joints>
-inline constexpr report report_of<hardware::detail::bus_check<Bus, Rate, Board, Joints>> =
-    hardware::detail::bus_check<Bus, Rate, Board, Joints>::tell();
-
-}  // namespace cca::detail

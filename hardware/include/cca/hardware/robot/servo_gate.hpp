@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/safety/beats.hpp>
 
@@ -27,11 +28,9 @@ class servo_gate;
 template <class... Axes, class Rate>
 class servo_gate<cca::axes<Axes...>, Rate> {
   template <class Axis>
-  static constexpr bool limited() {
-    if constexpr (detail::stated_limits<Axis>::sound) return true;
-    else return sizeof(cca::detail::refusal<detail::stated_limits<Axis>>) == 0;
-  }
-  static_assert((limited<Axes>() && ...));
+  using limited =
+      cca::detail::holds_or_tells<detail::stated_limits<Axis>::sound, detail::stated_limits<Axis>>;
+  static_assert((limited<Axes>::value && ...));
 
 public:
   static constexpr std::size_t count = sizeof...(Axes);

@@ -18,8 +18,8 @@ struct deployment_unknown_node {
     m.say() << " names `" << path << "`, but ";
     if (m.deployment().mode.empty()) m.say() << m.graph().name << " has no such node";
     else m.say() << "no mode of " << m.deployment().name << " has such a node";
-    if (const auto best = nearest_node(m.g, path); best.size > 0)
-      m.say() << "; did you mean `" << best.view() << "`?";
+    const text best = m.g.modes ? nearest_node(*m.g.modes, path) : nearest_node(m.g, path);
+    if (best.size > 0) m.say() << "; did you mean `" << best.view() << "`?";
     else m.say() << ": write the path of a component or of an inner graph, as in `skills.gait`";
   }
 };
