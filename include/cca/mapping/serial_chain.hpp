@@ -11,14 +11,15 @@
 // angle at 0, and moves what follows about or along its axis. The tip is placed in the last link. Each joint
 // has a coordinate, by default that of its own index. A coupled joint names the coordinate of another joint
 // and a ratio: a pantograph is two joints of one coordinate with ratios 1 and -1. Instead it can name the
-// axis,
-// `.driven_by("elbow", -1)`; in a body (robot/body.hpp) also one of another part. Units: m, rad (coordinate
-// of a prismatic joint: m), kg, kg m^2. An axis has a length other than 0; it is normalised.
+// axis, `.driven_by("elbow", -1)`; in a body (robot/body.hpp) also one of another part. Units: m, rad
+// (coordinate of a prismatic joint: m), kg, kg m^2. An axis has a length other than 0; it is normalised.
+// Errors: mapping.bad_chain.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include <cca/base/messages/holds_or_tells.hpp>
@@ -131,11 +132,57 @@ constexpr int axis_by_name(axes<Axes...>, std::string_view name) {
 }
 
 template <std::size_t Count>
-constexpr std::array<body_link, Count> links_of(const std::array<joint, Count>& joints) {
-  std::array<body_link, Count> links{};
-  for (std::size_t i = 0; i < Count; ++i)
-    links[i] = body_link_of(joints[i], static_cast<int>(i), static_cast<int>(i) - 1);
-  return links;
+constexpr bool are_finite(const std::array<double, Count>& numbers) {
+  constexpr double most = std::numeric_limits<double>::max();
+  for (const double x : numbers)
+    if (!(x >= -most && x <= most)) return false;
+  return true;
+}
+constexpr bool is_sound(const joint& j) {
+  return are_finite(j.axis) && are_finite(j.where.translation) && are_finite(j.where.rotation) &&
+         are_finite(std::array{j.ratio, j.rest}) && j.axis != std::array<double, 3>{};
+}
+constexpr bool is_sound(const link_inertia& l) {
+  return l.mass >= 0 && are_finite(std::array{l.mass}) && are_finite(l.centre) && are_finite(l.about_centre);
+}
+// The first joint, or link, whose numbers no robot has; -1: there is none.
+template <class Numbers>
+constexpr int first_unsound(const Numbers& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!is_sound(all[i])) return static_cast<int>(i);
+  return -1;
+}
+
+template <class Chain>
+struct unsound_joint {
+  static constexpr void tell(text& m) {
+    constexpr int i = first_unsound(Chain::joints);
+    m << "mapping.bad_chain: joint " << i << " of the chain " << type_name<Chain>() << " has ";
+    if (Chain::joints[static_cast<std::size_t>(i)].axis == std::array<double, 3>{})
+      m << "the axis (0, 0, 0), which is no direction: give it an axis with a length, such as cca::along_z";
+    else
+      m << "a number that is not finite: look for a NaN or an overflow in its axis, its placement and its "
+           "`driven_by`";
+  }
+};
+template <class Chain>
+struct unsound_link {
+  static constexpr void tell(text& m) {
+    constexpr int i = first_unsound(Chain::links);
+    m << "mapping.bad_chain: link " << i << " of the chain " << type_name<Chain>() << " has ";
+    if (Chain::links[static_cast<std::size_t>(i)].mass < 0)
+      m << "a mass below 0: masses are in kg, and 0 is that of a link without weight";
+    else m << "a number that is not finite: look for a NaN or an overflow in its mass, centre and inertia";
+  }
+};
+// A joint of a chain; of one that is refused, what the compiler can go on with.
+template <class Chain>
+constexpr joint joint_of_chain(std::size_t i) {
+  constexpr bool sound = first_unsound(Chain::joints) < 0;
+  static_assert(holds_or_tells<sound, unsound_joint<Chain>>::value);
+  joint j = Chain::joints[i];
+  if (!sound) j.axis = along_z, j.where = {}, j.ratio = 1, j.rest = 0;
+  return j;
 }
 
 template <class Chain>
@@ -151,16 +198,20 @@ struct wrong_link_count {
 template <class Chain>
 constexpr link_inertia inertia_of_link(std::size_t joint) {
   if constexpr (DynamicChain<Chain>) {
+    constexpr bool sound = first_unsound(Chain::links) < 0;
     static_assert(
         holds_or_tells<(Chain::links.size() == Chain::joints.size()), wrong_link_count<Chain>>::value);
-    if (joint < Chain::links.size()) return Chain::links[joint];
+    static_assert(holds_or_tells<sound, unsound_link<Chain>>::value);
+    if (sound && joint < Chain::links.size()) return Chain::links[joint];
   }
   return {};
 }
 
 template <class Chain>
 inline constexpr auto chain_links = [] {
-  auto links = links_of(Chain::joints);
+  std::array<body_link, Chain::joints.size()> links{};
+  for (std::size_t i = 0; i < links.size(); ++i)
+    links[i] = body_link_of(joint_of_chain<Chain>(i), static_cast<int>(i), static_cast<int>(i) - 1);
   for (std::size_t i = 0; i < links.size(); ++i)
     if (const auto name = Chain::joints[i].follows; !name.empty())
       links[i].coordinate = axis_by_name(typename Chain::axes(), name);

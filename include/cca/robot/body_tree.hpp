@@ -32,7 +32,7 @@ constexpr void attach(Base& tree, std::size_t& used, std::size_t part, int on, i
   part_end end = on < 0 ? part_end{} : tree.ends[static_cast<std::size_t>(on)];
   for (std::size_t i = 0; i < Chain::joints.size(); ++i) {
     auto& l = tree.links[used];
-    l = body_link_of(Chain::joints[i], static_cast<int>(i), end.link, end.where, first_coordinate);
+    l = body_link_of(joint_of_chain<Chain>(i), static_cast<int>(i), end.link, end.where, first_coordinate);
     if (const auto name = Chain::joints[i].follows; !name.empty()) l.coordinate = axis_by_name(Axes(), name);
     l.inertia = inertia_of_link<Chain>(i);
     end = {static_cast<int>(used++), {}};

@@ -1,7 +1,8 @@
 // The limits of a space's axes, as arrays in the order of the axes; infinite where an axis states none.
 //
 // The angle of a continuous axis has no limits; a command of it is kept within the limits of its velocity
-// instead, so these must be there. Errors: the message of a limit that is missing is space.missing_limits.
+// instead, so these must be there. Errors: space.bad_limits; the message of a limit that is missing is
+// space.missing_limits.
 // Cost: constants. For an axis without limits the compiler drops both comparisons.
 #pragma once
 
@@ -10,6 +11,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/dimension.hpp>
 
 namespace cca::detail {
@@ -31,6 +33,30 @@ template <class Axis, class Quantity>
 using needed_limits =
     std::conditional_t<is_continuous<Axis> && std::is_same_v<Quantity, angle>, velocity, Quantity>;
 
+template <class Quantity, class... Axes>
+struct swapped_limits {
+  static constexpr void tell(text& m) {
+    const char* between = "space.bad_limits: the lower limit of ";
+    ((void)(lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity> ||
+            (m << between << type_name<Quantity>() << " of the axis " << Axes::name, between = " and of ",
+             true)),
+     ...);
+    m << " is above its upper limit, or one of both is NaN: write the lower one first, as in "
+         "cca::angle{-0.5, 0.5}";
+  }
+};
+template <class... Axes>
+struct limits_of_circle {
+  static constexpr void tell(text& m) {
+    const char* between = "space.bad_limits: the axis ";
+    ((void)(!(is_continuous<Axes> && axis_has_limits<Axes, angle>) ||
+            (m << between << Axes::name, between = " and ", true)),
+     ...);
+    m << " is continuous and states limits of angle, which a joint that turns without end lacks: leave out "
+         "these, or `continuous`";
+  }
+};
+
 template <class Axes, class Quantity>
 struct limits_along;
 
@@ -39,12 +65,10 @@ struct limits_along<List<Axes...>, Quantity> {
   static constexpr std::array<double, sizeof...(Axes)> lower{lower_limit_of<Axes, Quantity>...};
   static constexpr std::array<double, sizeof...(Axes)> upper{upper_limit_of<Axes, Quantity>...};
 
-  static_assert(((lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity>) && ...),
-                "cca::limits: an axis of this space states a lower limit above its upper limit");
-
-  static_assert(!((is_continuous<Axes> && axis_has_limits<Axes, angle>) || ...),
-                "cca::limits: a continuous axis of this space states limits of angle; leave out these, or "
-                "`continuous`");
+  static_assert(holds_or_tells<((lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity>) && ...),
+                               swapped_limits<Quantity, Axes...>>::value);
+  static_assert(holds_or_tells<!((is_continuous<Axes> && axis_has_limits<Axes, angle>) || ...),
+                               limits_of_circle<Axes...>>::value);
 
   static constexpr int first_missing() {
     const std::array<bool, sizeof...(Axes)> stated{axis_has_limits<Axes, needed_limits<Axes, Quantity>>...};
