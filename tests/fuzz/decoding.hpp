@@ -25,8 +25,13 @@ struct bytes_of_frame {
     const auto at = [this](std::size_t i) { return i < size ? data[i] : std::uint8_t{0}; };
     can_frame f;
     const std::uint32_t number = at(0) | at(1) << 8 | at(2) << 16 | static_cast<std::uint32_t>(at(3)) << 24;
-    if (at(5) & 1) f.id = mine[number % mine.size()].id;  // an id of the drive's own
-    else f.id = {number, (at(5) & 2) != 0};
+    if (at(5) & 1) {  // an id of the drive's own; `number` also gives the bits that are free in it
+      const can_filter& own = mine[number % mine.size()];
+      f.id = {own.id.number | (number & ~own.mask & (own.id.extended ? 0x1FFFFFFFu : 0x7FFu)),
+              own.id.extended};
+    } else {
+      f.id = {number, (at(5) & 2) != 0};
+    }
     f.fd = (at(5) & 4) != 0;
     f.fast = (at(5) & 8) != 0;
     f.remote = (at(5) & 16) != 0;

@@ -1,4 +1,4 @@
-// An Oncilla whose joints have drives of all families, in all their modes.
+// An Oncilla whose joints have drives of four families, in all their modes.
 #pragma once
 
 #include <cca/hardware/oncilla.hpp>

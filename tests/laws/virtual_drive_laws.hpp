@@ -232,8 +232,11 @@ void hears_anything() {
   using D = typename V::drive;
   std::mt19937_64 bits(3);
   const auto noise = [&] {
-    can_frame f{
-        .id = D::requests[bits() % D::requests.size()].id, .fd = bits() % 2 == 0, .remote = bits() % 16 == 0};
+    const auto& mine = D::requests[bits() % D::requests.size()];
+    can_frame f{.id = mine.id, .fd = bits() % 2 == 0, .remote = bits() % 16 == 0};
+    // Where a part of a command is in its id.
+    f.id.number |=
+        static_cast<std::uint32_t>(bits()) & ~mine.mask & (mine.id.extended ? 0x1FFFFFFFu : 0x7FFu);
     f.length = f.fd ? fd_length(bits() % 65) : static_cast<std::uint8_t>(bits() % 9);
     for (auto& byte : f.data) byte = static_cast<std::uint8_t>(bits());
     return f;

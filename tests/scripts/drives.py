@@ -165,6 +165,11 @@ def has_column(page, *names):
     return False
 
 
+def number_word(n):
+    words = "no one two three four five six seven eight nine ten eleven twelve".split()
+    return words[n] if n < len(words) else str(n)
+
+
 # ---- a family ----
 
 class Family:
@@ -202,6 +207,10 @@ class Family:
     def virtual_of(self, text):
         return self.specialisation(without_strings(without_comments(text)), "virtual_of")
 
+    # Step 1
+    def states_bad_number(self, text):
+        return "drive.bad_number" in without_comments(text)
+
     # Steps 3 to 5
     def laws(self, text):
         code = without_strings(without_comments(text))
@@ -236,11 +245,20 @@ class Family:
             return listed and re.search(rf"(?<![\w.+-]){re.escape(name)}\.hpp(?![\w+-])", listed[1])
         return is_listed
 
+    def readme(self, text):
+        return has_row(text, "^drives$") and any(row[0] == "drives" and re.search(self.title, " ".join(row[1:])) for _, rows in tables(text) for row in rows)
+
     def listed_page(self, text):
         return any("](drives.md)" in cell and re.search(self.title, " ".join(row[at + 1:]))
                    for _, rows in tables(text) for row in rows for at, cell in enumerate(row))
 
     # Step 7
+    def tool_family(self, text):
+        return re.search(rf'\bfamily\s*\{{\s*"{self.spelled}', without_comments(text))
+
+    def tool_codec(self, text):
+        return re.search(rf'\bsame_as_codec\s*<[^;]*?>\s*\(\s*"{self.spelled}', without_comments(text))
+
     def address(self, text):
         code = without_strings(without_comments(text))
         return any(all(re.search(rf"\b{member}\s*\(", body(code, found.end())) for member in ("to_real", "to_unit"))
@@ -289,13 +307,24 @@ class Family:
             (f"{DRIVES}/drive.hpp", self.model(name), 6, "its name in the list of models", f"`{name}.hpp` to {models}"),
             (f"{VIRTUAL}/virtual_drive.hpp", self.model(virtual), 6, "the name of its virtual drive in the list of models", f"`{virtual}.hpp` to {models}"),
             ("docs/README.md", self.listed_page, 6, "its name in the list of pages", "it to the row of `[Drives](drives.md)`"),
+            ("README.md", self.readme, 6, "its name in the table of what it works with", "it to the row of `drives`"),
             (CCA_CAN + "/drives/addresses.hpp", self.address, 7, "its address in cca-can", f"a struct `{name}_address` with `to_real` and `to_unit`"),
             (drive_name, self.families_row, 7, "its row in the list of families of cca-can", f"`{name}:...` to the text `families`"),
             (drive_name, self.with_drive, 7, "its place among the drives of cca-can", f'a branch for "{name}" with `{name}_address` to `with_drive`'),
             (drive_name, self.played, 7, "a drive that cca-can can play", f"the specialisation `played<{self.type}...>` with `{virtual}`"),
             (CCA_CAN + "/commands/help.hpp", self.help, 7, "its name in the help of cca-can", f"`{name}:...` to the drives in `help_text`"),
             ("docs/cca_can.md", self.page_row, 7, "its row in the table of drives of cca-can", f"{row} `{name}:...`"),
+            ("tests/runtime/tool/families.cpp", self.tool_family, 7, "a test that cca-can lists, enables and jogs it", f'`family{{"{name}:...", ...}}` to the list of families'),
+            ("tests/runtime/tool/drives.cpp", self.tool_codec, 7, "a test that cca-can sends what its codec sends", f'a call `same_as_codec<{self.type}...>("{name}:...", ...)`'),
         ]
+
+    def refuses_bad_number(self, root):
+        """A mistake of this family in tests/rejects, if its header has a sentence about its number."""
+        codec = f"{DRIVES}/{self.name}.hpp"
+        if not self.states_bad_number(read(root, codec)):
+            return True
+        return any(self.includes(text := read(root, str(file.relative_to(root))), f"{self.name}.hpp") and "CCA_REJECT" in text
+                   for file in sorted((root / "tests/rejects").glob("drive.bad_number*.cpp")))
 
     def corpus(self, root):
         """A frame is longer than its head: four bytes for the id, length and flags."""
@@ -322,6 +351,9 @@ def problems(root):
     if not found and not refused:
         yield f"{DRIVES}: there is no family of drives: this is no repository of cca, or no header there has a static function `decode`"
     told = set(refused)
+    counted = re.search(r"(\w+) families of CAN drives", read(root, "README.md") or "") if found else None
+    if counted and counted[1] != number_word(len(found)):
+        yield f"README.md: it says `{counted[0]}`, and there are {number_word(len(found))}: change the word in README.md (step 6 of How to add a drive in CONTRIBUTING.md)"
     for family in found:
         def lacks(what, add, file, step):
             return (f"{shown(file)}: the drive `{shown(family.name)}` lacks {what}: add {shown(add)} in {shown(file)} "
@@ -336,6 +368,16 @@ def problems(root):
                 continue
             if text is None or not has(text):
                 yield lacks(what, add, file, step)
+        try:
+            refused_number = family.refuses_bad_number(root)
+        except Unreadable as why:
+            refused_number = True
+            if str(why) not in told:
+                yield str(why)
+            told.add(str(why))
+        if not refused_number:
+            yield lacks("a mistake for its sentence `drive.bad_number`", f"a file that includes `<cca/hardware/{family.name}.hpp>` and has the mistake",
+                        f"tests/rejects/drive.bad_number-{family.name}.cpp", 1)
         if not family.corpus(root):
             yield lacks("a first frame for its fuzz target", "a file with a frame of more than 6 bytes", f"tests/fuzz/corpus/{family.name}", 5)
 

@@ -88,7 +88,8 @@ def note(text, name):
 def refusal_is_wrong(output, expect, allowed=1, most_lines=MOST_LINES):
     found = errors(output)
     if not any(re.search(expect, sentence(error)) for error in found[:allowed]):
-        return f"the first error does not match: {expect}" if allowed == 1 else f"no error matches: {expect}"
+        said = f"; it says: {sentence(found[0])}" if found else ""
+        return (f"the first error does not match: {expect}" if allowed == 1 else f"no error matches: {expect}") + said
     if len(found) > allowed:
         return f"{len(found)} errors, and {'one' if allowed == 1 else allowed} would do"
     length = len(output.splitlines())

@@ -394,6 +394,7 @@ class Rejects(Tree):
         self.assertIn("without the mistake", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if 1")))
         self.assertIn("accepts", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if 0")))
         self.assertIn("does not match", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if CCA_REJECT\nint x = y;")))
+        self.assertRegex(self.wrong(self.SOUND.replace('"space.mismatch: a', '"space.mismatch: c')), "does not match: .* a and b; it says: space.mismatch: c and b$")
         self.assertIn("2 errors", self.wrong(self.SOUND.replace("#endif", "int x = y;\n#endif")))
         self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"#warning {i}" for i in range(30)) + "\n#endif")))
 
@@ -508,6 +509,9 @@ class Drives(Tree):
             "tests/fuzz/corpus/acme2/first": "0123456789",
             "docs/drives.md": self.PAGE,
             "docs/README.md": "| | [Drives](drives.md) | MIT, Acme 2: units |\n",
+            "README.md": "| | |\n|---|---|\n| drives | MIT, Acme 2 |\n\none families of CAN drives\n",
+            "tests/runtime/tool/families.cpp": 'constexpr std::array families{family{"mit:3", ""}, family{"acme2:80:3", ""}};\n',
+            "tests/runtime/tool/drives.cpp": 'void f() { same_as_codec<acme2<motor, 3>>("acme2:80:3", [](auto& r) { return 1; }); }\n',
             self.ADDRESSES: "#include <cca/hardware/acme2.hpp>\n" + self.ADDRESS,
             self.NAMES: "#include <cca/hardware/virtual_acme2.hpp>\n" + self.FAMILIES + self.WITH + self.PLAYED,
             self.HELP: 'inline constexpr const char* help_text = R"(DRIVE: mit:3, acme2:KP:3\n)";\n',
@@ -554,6 +558,19 @@ class Drives(Tree):
         for new in ("", f"// {self.OF}".replace("\n", " "), f"/* {self.OF} */", f"#if 0\n{self.OF}#endif\n"):
             self.one_hole(f"{virtual}/virtual_of.hpp", self.OF, new, "the way from it to its virtual drive, which `virtual_robot` takes")
 
+    def test_step_1(self):
+        self.write(self.DRIVE, self.codec() + 'auto text = "drive.bad_number: the number";\n')
+        says = ("tests/rejects/drive.bad_number-acme2.cpp: the drive `acme2` lacks a mistake for its sentence `drive.bad_number`: add a file that includes "
+                "`<cca/hardware/acme2.hpp>` and has the mistake in tests/rejects/drive.bad_number-acme2.cpp (step 1 of How to add a drive in CONTRIBUTING.md)")
+        mistake = "// EXPECT: drive\\.bad_number: x\n#include <cca/hardware/acme2.hpp>\n#if CCA_REJECT\n#endif\n"
+        self.assertEqual(self.found(), [says])
+        for text in (mistake.replace("acme2", "acme"), mistake.replace("CCA_REJECT", "1"), mistake.replace("#include", "// #include")):
+            self.write("tests/rejects/drive.bad_number.cpp", text)
+            with self.subTest(text=text):
+                self.assertEqual(self.found(), [says])
+        self.write("tests/rejects/drive.bad_number.cpp", mistake)
+        self.assertEqual(self.found(), [])
+
     def test_steps_3_to_5(self):
         laws, rigs, fuzz = "tests/runtime/hardware/acme2.cpp", "tests/runtime/drive_chain/virtual_drives.cpp", "tests/fuzz/acme2.cpp"
         for old, new in (("  laws::drive<servo>();", ""), ("  laws", "  // laws"), ("acme2<motor, 1>", "mit_drive<motor, 1>"), ("TEST_CASE", "void f")):
@@ -584,6 +601,12 @@ class Drives(Tree):
         self.one_hole(f"{drives.HARDWARE}/virtual_drives/virtual_drive.hpp", "// virtual_acme2.hpp. Laws: a.hpp", "// virtual_acme.hpp.\n#include <virtual_acme2.hpp>",
                       "the name of its virtual drive in the list of models")
         self.one_hole("docs/README.md", "Acme 2", "Acme 23", "its name in the list of pages")
+        self.one_hole("README.md", "Acme 2", "Acme 23", "its name in the table of what it works with")
+        self.write("README.md", self.whole["README.md"].replace("one families", "two families"))
+        self.assertEqual(self.found(), ["README.md: it says `two families of CAN drives`, and there are one: change the word in README.md "
+                                        "(step 6 of How to add a drive in CONTRIBUTING.md)"])
+        self.write("README.md", "| drives | Acme 2 |\n")  # a README without the figure is whole
+        self.assertEqual(self.found(), [])
 
     def test_step_7(self):
         for new in ("", "// acme2_address", "struct acme2_address {};"):
@@ -598,6 +621,11 @@ class Drives(Tree):
         self.one_hole(self.HELP, ", acme2:KP:3\n)\";", "\n)\";  // acme2:KP:3", "its name in the help of cca-can")
         self.one_hole("docs/cca_can.md", "| `acme2:80:3` | Acme 2 |", "", "its row in the table of drives of cca-can")
         self.one_hole("docs/cca_can.md", "| Acme 2 |", "| |", "its row in the table of drives of cca-can")
+        tool = "tests/runtime/tool"
+        for old, new in (('family{"acme2:80:3", ""}', ""), ('family{"acme2', '// family{"acme2'), ("acme2:", "acme23:")):
+            self.one_hole(f"{tool}/families.cpp", old, new, "a test that cca-can lists, enables and jogs it")
+        for old, new in (("same_as_codec", "// same_as_codec"), ('"acme2:', '"acme23:')):
+            self.one_hole(f"{tool}/drives.cpp", old, new, "a test that cca-can sends what its codec sends")
 
     def test_a_family_is_found_however_it_spells_decode(self):
         (self.root / "tests/fuzz/acme2.cpp").unlink()
@@ -640,13 +668,14 @@ class Drives(Tree):
         self.assertEqual((ran.stdout, ran.stderr, ran.returncode), ("each drive is whole\n", "", 0))
 
     def test_names_are_words_and_no_patterns(self):
+        self.write("README.md", self.whole["README.md"].replace("one families", "two families"))
         self.write(f"{drives.DRIVES}/a+b(.hpp", self.codec().replace("acme2", "ab"))
         found = self.found()
-        self.assertEqual(len(found), 21)
+        self.assertEqual(len(found), 24)
         self.assertTrue(all("the drive `a+b(` lacks " in one for one in found), found)
         self.write(f"{drives.DRIVES}/a+b(.hpp", "")
         self.write(f"{drives.DRIVES}/acme.2.hpp", self.codec().replace("acme2", "other"))
-        self.assertEqual(len(self.found()), 21)
+        self.assertEqual(len(self.found()), 24)
 
     def test_no_family(self):
         (self.root / self.DRIVE).unlink()

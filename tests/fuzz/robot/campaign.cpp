@@ -1,6 +1,6 @@
 // A random campaign for the whole robot: random frames, faults of drives, board and buses (frames lost, late
 // or twice, refused by the send queue, bus off, link down), beats that don't happen, commands, parameters,
-// stops and starts from any pose; one robot on Damiao drives, one with all families. Each frame that the
+// stops and starts from any pose; one robot on Damiao drives, one with four families. Each frame that the
 // controller sends is judged (judge.hpp).
 //
 //   cca_fuzz_robot --seconds 60 --seed 1
