@@ -15,6 +15,7 @@
 #include <cca/sim/robot.hpp>
 
 #include "flagged.hpp"
+#include "lost_engine.hpp"
 
 using namespace any_robot_test;
 
@@ -227,6 +228,7 @@ TEST_SUITE("put down") {
   // So far away a double has no metres any more: a strip of the ground ends before it begins, and the engine
   // refuses its length while contacts are looked for.
   TEST_CASE("an assertion of the engine in the search for contacts ends the beat, not the process") {
+    [[maybe_unused]] lost_engine its_memory;
     sim::robot_world w = on(sim::terrain::steps(0, 7.8, sim::terrain::endless, 0));
     for (int k = 0; k < 100 && !w.trouble(); ++k) {
       sim::moving_frame base;

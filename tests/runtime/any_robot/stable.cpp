@@ -21,6 +21,7 @@
 #include <cca/sim/robot/forces/gyroscopic.hpp>
 
 #include "../../laws/stable_robot_laws.hpp"
+#include "lost_engine.hpp"
 
 namespace arm = cca::robots::arm;
 namespace robots = cca::robots;
@@ -272,6 +273,7 @@ TEST_SUITE("a world that can't be right") {
   }
 
   TEST_CASE("an assertion of the engine ends the step, not the process") {
+    [[maybe_unused]] lost_engine its_memory;
     sim::engine e({});
     const dBodyID b = dBodyCreate(e.id());
     CHECK(e.step(0.001));
