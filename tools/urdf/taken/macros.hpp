@@ -14,7 +14,8 @@ namespace detail {
 
 inline bool is_among(std::string_view word, std::string_view text) {
   for (std::size_t at = 0; (at = text.find(word, at)) != text.npos; ++at) {
-    const auto ends = [&](std::size_t i) { return text[i] == ' ' || text[i] == '\n'; };
+    // Before the first letter, too: its place is more than the size.
+    const auto ends = [&](std::size_t i) { return i >= text.size() || text[i] == ' ' || text[i] == '\n'; };
     if (ends(at - 1) && ends(at + word.size())) return true;
   }
   return false;
