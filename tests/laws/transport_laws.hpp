@@ -359,6 +359,39 @@ void is_not_held_up_by_a_stopped_reader() {
   CHECK_EQ(mind.said(), "started");
 }
 
+// Who stood still for longer than another may be silent (2 s over DDS) does not take the others for lost when
+// it goes on: what they have said meanwhile is still to be read.
+template <class Meeting>
+void goes_on_after_a_standstill() {
+  const std::string name = Meeting::other_name();
+  const milestone both_run, is_over;
+  process mind([&] {
+    auto d = opened<Meeting, patient>("mind", name);
+    d.load();
+    d.start();
+    d.run(cca::without_end{}, cca::at_wall_clock());
+    return state_and_fault(d);
+  });
+  process robot([&] {
+    auto d = opened<Meeting, patient>("robot", name);
+    d.load();
+    d.start();
+    d.run(cca::without_end{}, cca::at_wall_clock(), [&](auto& running) {
+      if (running.beat_index() == 20) both_run.reached();
+      return !is_over.is_reached();
+    });
+    return state_and_fault(d);
+  });
+  both_run.wait_for(1);
+  mind.stop();
+  std::this_thread::sleep_for(3s);
+  mind.go_on();
+  std::this_thread::sleep_for(300ms);
+  is_over.reached();
+  CHECK_EQ(robot.said(), "started");
+  CHECK_EQ(mind.said(), "started");
+}
+
 struct tolerant : cca::deployment<architecture,
                                   cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
                                   cca::environment<"mind", cca::other_nodes>,

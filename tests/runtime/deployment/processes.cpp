@@ -165,6 +165,9 @@ TEST_SUITE("deployed in processes") {
   TEST_CASE("a reader that stops costs the writer nothing") {
     transport_laws::is_not_held_up_by_a_stopped_reader<over_shared_memory>();
   }
+  TEST_CASE("who stood still for 3 s goes on") {
+    transport_laws::goes_on_after_a_standstill<over_shared_memory>();
+  }
   TEST_CASE("a second process and one of another deployment are refused") {
     transport_laws::refuses_whom_it_must<over_shared_memory>();
   }

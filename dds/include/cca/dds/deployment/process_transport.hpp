@@ -59,7 +59,7 @@ public:
     const contact& other = peers[environment];
     const std::size_t own = facts.first_here();
     return other.has_left.load(std::memory_order_acquire) ||
-           cca::detail::monotonic_clock::now() - other.heard.load(std::memory_order_acquire) > lease ||
+           to_here.is_silent_since(other.heard.load(std::memory_order_acquire)) ||
            other.accepted_in.load(std::memory_order_relaxed) >= numbers.run_ready(own) ||
            numbers.run_finished(environment) >= numbers.run_arrived(own);
   }

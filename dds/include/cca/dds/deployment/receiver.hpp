@@ -21,8 +21,9 @@
 
 namespace cca::dds::detail {
 
-// How long an environment may be silent before its process counts as gone.
-inline constexpr std::int64_t lease = 2'000'000'000;
+// How long an environment may be silent before its process counts as gone. Only where this process listened:
+// after a standstill of its own (SIGSTOP, a debugger) what others have said meanwhile is still to be read.
+inline constexpr std::int64_t lease = 2'000'000'000, standstill = lease / 4;
 
 class receiver {
 public:
@@ -53,11 +54,21 @@ public:
   // The newest run that others began before they listened to this process.
   std::int64_t newest_run_before() const { return run_before.load(std::memory_order_acquire); }
 
+  // An environment that was heard then is silent for longer than it may be, and this process would have heard
+  // it. In any thread.
+  bool is_silent_since(std::int64_t heard) const {
+    return listened_at.load(std::memory_order_acquire) -
+               std::max(heard, listens_since.load(std::memory_order_acquire)) >
+           lease;
+  }
+
   // Waits until something comes, but not for long (ns). Then does what there is to do.
   void work(std::int64_t longest) {
     dds_attach_t some[8];
     dds_waitset_wait(wakes.get(), some, 8, longest);
     const std::int64_t now = cca::detail::monotonic_clock::now();
+    if (now - listened_at.load(std::memory_order_relaxed) > standstill)
+      listens_since.store(now, std::memory_order_release);
     if (now - cleared_at > lease / 10) {
       known.forget_the_lost();
       cleared_at = now;
@@ -70,6 +81,7 @@ public:
         o.reader.take_all([&](auto message, const identity& from) { hear(*e, o, message, from); });
       apply(*e);
     }
+    listened_at.store(now, std::memory_order_release);
   }
 
 private:
@@ -102,14 +114,14 @@ private:
 
   // ---- which process runs an environment ----
 
-  bool is_lost(const environment& e, std::int64_t now) const {
+  bool is_lost(const environment& e) const {
     const contact& c = peers[e.number];
     const peer* const holder = known.find(e.holder);
     return !holder || holder->is_refused || c.has_left ||
-           now - std::max<std::int64_t>(c.heard, e.accepted_at) > lease;
+           is_silent_since(std::max<std::int64_t>(c.heard, e.accepted_at));
   }
   void choose(environment& e, std::int64_t now) {
-    if (e.holder.token != 0 && !is_lost(e, now)) return;
+    if (e.holder.token != 0 && !is_lost(e)) return;
     const peer* best = nullptr;
     for (const peer& p : known.peers())
       if (!(p.id == e.holder) && (p.claims >> e.number & 1) && !p.is_refused &&
@@ -231,6 +243,7 @@ private:
   std::vector<std::unique_ptr<environment>> environments;
   std::vector<std::pair<std::uint64_t, std::int64_t>> strangers;
   std::atomic<std::int64_t> run_before{0};
+  std::atomic<std::int64_t> listened_at{0}, listens_since{0};  // ns
   std::int64_t cleared_at = 0;
 };
 
