@@ -23,7 +23,7 @@ std::string told(auto& c, std::size_t environment) {
   text << c.beat_index() << ' ' << c.mode();
   for_each_journal(c, [&](const char* name, const journal& j) {
     const auto node = static_cast<std::size_t>(cca::detail::node_at<D>(name));
-    if (static_cast<std::size_t>(cca::detail::plan_of<D>.nodes[node].environment) != environment) return;
+    if (static_cast<std::size_t>(cca::detail::plan_of<D>.nodes[node].place) != environment) return;
     std::uint64_t hash = j.all.size();
     const auto add = [&](std::uint64_t word) { hash = (hash ^ word) * 0x9e3779b97f4a7c15ull; };
     for (const seen& one : j.all)

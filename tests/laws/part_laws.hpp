@@ -57,7 +57,7 @@ std::string told_of(cca::controller<skilled<-1>>& c, const std::string& environm
   for (const std::string_view path : {"mind.first", "mind.reach.aim", "mind.reach.move", "last"}) {
     std::getline(lines, line);
     const int node = cca::detail::node_at<D>(path);
-    const int of = cca::detail::plan_of<D>.nodes[static_cast<std::size_t>(node)].environment;
+    const int of = cca::detail::plan_of<D>.nodes[static_cast<std::size_t>(node)].place;
     if (cca::detail::name_of_environment<D>(static_cast<std::size_t>(of)) == environment)
       text << line << '\n';
   }

@@ -4,8 +4,7 @@
 usage: rules.py [ROOT of the repository]
 
 A rule is a string literal in a header that is, or begins with, its id: "space.mismatch" or "space.mismatch: ...". Each rule
-of graphs has a header of its own, a line in include/cca/graph/diagnosis/rules/rules.hpp, and a mistake in
-tests/rejects/many_nodes/mistakes.cpp. What else it says, in which case, is compared in tests/static: there stands each
+of graphs has a header of its own, a line in one of the LISTS, and a mistake in tests/rejects/many_nodes/mistakes.cpp. What else it says, in which case, is compared in tests/static: there stands each
 sentence of its header.
 """
 import pathlib
@@ -29,20 +28,26 @@ def rules(root):
     return found
 
 
-LIST = "include/cca/graph/diagnosis/rules/rules.hpp"
+# Each list of the rules of graphs, and the headers of its rules.
+LISTS = {"include/cca/graph/diagnosis/rules/rules.hpp": "*/*.hpp",
+         "include/cca/graph/deployment/rules/rules_of_deployments.hpp": "deployment_*.hpp",
+         "include/cca/graph/modes/rules/list_of_modes.hpp": "modes_*.hpp"}
 
 
 def rules_of_graphs(root):
-    """The ids of the rules of graphs, in the order of the list. A graph of many nodes must get each message briefly, too."""
-    file = root / LIST
-    listed = re.search(r"using rules = list<(.*?)>;", file.read_text(), re.S) if file.exists() else None
-    return [name.strip().replace("_", ".", 1) for name in listed[1].split(",")] if listed else []
+    """The ids of the rules of graphs, in the order of the lists. A graph of many nodes must get each message briefly, too."""
+    ids = []
+    for name in LISTS:
+        file = root / name
+        listed = re.search(r"using (?:rules|type) = list<(.*?)>;", file.read_text(), re.S) if file.exists() else None
+        ids += [name.strip().replace("_", ".", 1) for name in listed[1].split(",")] if listed else []
+    return list(dict.fromkeys(ids))
 
 
 def rule_headers(root):
     """Ids by header, of the folders where each rule has one."""
-    folder = (root / LIST).parent
-    return {header.relative_to(root): re.findall(r'id = "([^"]+)";', header.read_text()) for header in sorted(folder.glob("*/*.hpp"))}
+    return {header.relative_to(root): re.findall(r'id = "([^"]+)";', header.read_text())
+            for name, headers in LISTS.items() for header in sorted((root / name).parent.glob(headers))}
 
 
 def literals(code):
@@ -97,7 +102,7 @@ def problems(root):
         if ids != [header.stem.replace("_", ".", 1)]:
             yield f"{header}: its one rule must have the id {header.stem.replace('_', '.', 1)}"
         elif ids[0] not in listed:
-            yield f"{header}: its rule is not in the list of {LIST}"
+            yield f"{header}: its rule is in none of the lists: {', '.join(LISTS)}"
     yield from untold(root)
     yield from forgotten_strategies(root)
     if not known:

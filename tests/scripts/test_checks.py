@@ -341,6 +341,23 @@ class Rules(Tree):
         # One header is not in the list, one has another id than its name, and no header states wire.direction.
         self.assertEqual(len(list(rules.problems(self.root))), 3)
 
+    def test_rules_of_modes_and_deployments(self):
+        folder = "include/cca/graph/modes/rules"
+        self.write("include/cca/graph/diagnosis/rules/rules.hpp", "using rules = list<\n    part_unknown_path\n>;\n")
+        self.write("include/cca/graph/diagnosis/rules/components/part_unknown_path.hpp", 'id = "part.unknown_path";\n')
+        self.write(f"{folder}/list_of_modes.hpp", "struct rules_of_modes {\n  using type = list<\n      part_unknown_path,\n      modes_two_rates\n  >;\n};\n")
+        self.write(f"{folder}/modes_two_rates.hpp", 'id = "modes.two_rates";\n')
+        self.write("include/cca/graph/deployment/rules/rules_of_deployments.hpp", "using type = list<deployment_unplaced>;\n")
+        self.write("include/cca/graph/deployment/rules/deployment_unplaced.hpp", 'id = "deployment.unplaced";\n')
+        ids = ["part.unknown_path", "deployment.unplaced", "modes.two_rates"]
+        for id in ids:
+            self.write(f"tests/rejects/{id}.cpp", "")
+        self.write("tests/rejects/many_nodes/mistakes.cpp", "".join("// EXPECT a: " + id.replace(".", "\\.") + ": a\n" for id in ids))
+        self.assertEqual(rules.rules_of_graphs(self.root), ids)
+        self.assertEqual(list(rules.problems(self.root)), [])
+        self.write(f"{folder}/modes_forgotten.hpp", 'id = "modes.forgotten";\n')
+        self.assertEqual(len(list(rules.problems(self.root))), 2)  # in no list, without a file in tests/rejects
+
 
     def test_strategies(self):
         self.write("include/cca/graph/a.hpp", 'auto a = "space.mismatch";')

@@ -48,6 +48,14 @@ using ports_of_component = ports_of_function<typename function_of<Type, Phase>::
 template <class Type>
 inline constexpr std::uint64_t type_key = hash(spelled<Type>(), sizeof(Type));
 
+// What a type is that is no component, for the message: the text before and after the name of the graph. The
+// header of such a type specialises `no_component_of`.
+struct no_component {
+  std::string_view before{}, after{};
+};
+template <class Type>
+inline constexpr no_component no_component_of{};
+
 struct component_info {
   std::string_view spelled_type{};
   std::uint64_t key = 0;  // type_key of its type
@@ -63,10 +71,10 @@ struct component_info {
   const asked_path* asked_paths = nullptr;  // of what it observes
   int asked_path_count = 0;
   std::string_view wrong_arity{};  // of a skeleton whose parts don't fit together: the rest of the message
-  bool is_set_of_modes = false;
-  bool limits_commands = false;   // a limiter: its output may reach an actuator
-  bool preserves_limits = false;  // a splitter, a collector: outputs keep the limits of the inputs
-  bool moves_nothing = false;     // a publisher: its `act` tells others, and is no actuator
+  no_component instead{};          // what the type is, if its header says so
+  bool limits_commands = false;    // a limiter: its output may reach an actuator
+  bool preserves_limits = false;   // a splitter, a collector: outputs keep the limits of the inputs
+  bool moves_nothing = false;      // a publisher: its `act` tells others, and is no actuator
   // Why an input can't take a constant that its writer may publish; empty: it can. Null: it takes all.
   std::string_view (*refusal)(std::string_view input, double constant) = nullptr;
   constexpr std::string_view name() const { return without_namespaces(spelled_type); }
@@ -103,7 +111,7 @@ inline constexpr component_info component_of = [] {
     info.asked_paths = Type::asked_paths.data();
     info.asked_path_count = static_cast<int>(Type::asked_paths.size());
   }
-  info.is_set_of_modes = requires { typename Type::cca_modes; };
+  info.instead = no_component_of<Type>;
   if constexpr (requires { Type::wrong_arity; }) info.wrong_arity = Type::wrong_arity;
   if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
   if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;

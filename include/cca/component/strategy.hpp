@@ -243,6 +243,10 @@ using strategy_parts =
 template <class... Strategies>
 inline constexpr bool keep_state = !(std::is_empty_v<Strategies> && ...);
 
+// What a type is that is no strategy, for the message; its header specialises this.
+template <class Type>
+inline constexpr std::string_view no_strategy_but{};
+
 }  // namespace cca::detail
 
 namespace cca {

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include <cca/graph/deployment/environments.hpp>
 #include <cca/graph/plan/paths.hpp>
 #include <cca/graph/layout/types.hpp>
 
@@ -77,9 +78,9 @@ private:
   // Environments are boxes, and nodes without one stand outside of them.
   void add_boxes(bool as_dot) {
     add_scope(0, 1, -1, as_dot);
-    for (int e = 0; e < g.environment_count; ++e) {
+    for (int e = 0; g.is_spread && e < placement_in(g).count; ++e) {
       if (is_in_box() && !has_nodes(e)) continue;
-      text += box(as_dot, prefix + "e" + std::to_string(e), g.environments[e].name, 1 + is_in_box());
+      text += box(as_dot, prefix + "e" + std::to_string(e), environment_in(g, e).name, 1 + is_in_box());
       add_scope(0, 2, e, as_dot);
       text += box_end(as_dot, 1 + is_in_box());
     }
@@ -90,7 +91,7 @@ private:
   void add_scope(int s, int depth, int environment, bool as_dot) {
     const String indent = indent_at(depth);
     for (int l = 0; l < g.node_count; ++l)
-      if (g.nodes[l].scope == s && g.nodes[l].environment == environment)
+      if (g.nodes[l].scope == s && g.nodes[l].place == environment)
         text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
     for (int inner = s + 1; inner < g.scope_count; ++inner) {
       if (g.scopes[inner].parent != s) continue;
@@ -110,7 +111,7 @@ private:
 
   bool has_nodes(int environment) const {
     for (int l = 0; l < g.node_count; ++l)
-      if (g.nodes[l].environment == environment) return true;
+      if (g.nodes[l].place == environment) return true;
     return false;
   }
   bool is_inside(int node, int s) const {
@@ -121,13 +122,13 @@ private:
   // That of the first component in a graph; -1: none.
   int environment_of(int s) const {
     for (int l = 0; l < g.node_count; ++l)
-      if (is_inside(l, s)) return g.nodes[l].environment;
+      if (is_inside(l, s)) return g.nodes[l].place;
     return -1;
   }
   bool is_split(int s) const {
     const int first = environment_of(s);
     for (int l = 0; l < g.node_count; ++l)
-      if (is_inside(l, s) && g.nodes[l].environment != first) return true;
+      if (is_inside(l, s) && g.nodes[l].place != first) return true;
     return false;
   }
   // Where the graph around it has no box, its path from the outermost graph.
@@ -181,7 +182,7 @@ private:
   }
 
   bool crosses(const input& in) const {
-    return g.nodes[g.calls[in.call].node].environment != g.nodes[node_of_output(in.writer)].environment;
+    return g.nodes[g.calls[in.call].node].place != g.nodes[node_of_output(in.writer)].place;
   }
 
   static String joined(std::string_view name, const char* line_break) {
@@ -223,8 +224,8 @@ private:
   String prefix, text;
 };
 
-constexpr std::string_view title_of_picture(const graph_info& graph) {
-  return graph.deployment ? graph.deployment->name : graph.name;
+constexpr std::string_view title_of_picture(const flat_view& g) {
+  return g.is_spread ? placement_in(g).deployment->name : g.scopes[0].graph->name;
 }
 
 }  // namespace detail
@@ -239,8 +240,8 @@ struct describe {
   static std::string dot(std::string_view transport = "memory") {
     auto plan = detail::plan_of<Graph>;
     using writer = detail::picture_writer<std::string>;
-    return writer::dot_head(detail::title_of_picture(*plan.view().scopes[0].graph)) +
-           writer(plan.view(), transport).dot() + "}\n";
+    return writer::dot_head(detail::title_of_picture(plan.view())) + writer(plan.view(), transport).dot() +
+           "}\n";
   }
 };
 

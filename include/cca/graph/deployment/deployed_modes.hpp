@@ -56,11 +56,14 @@ inline constexpr heard_count heard_count_of<deployed_mode<D, I>> =
     heard_count_of<typename deployed_mode<D, I>::cca_architecture>;
 
 template <class D, int I>
+inline constexpr deployment_placement placement_of_mode{
+    environments_of<deployed_mode<D, I>>::all.data(), environment_count<deployed_mode<D, I>>,
+    &facts_of_deployment<deployed_mode<D, I>>, &modes_of<typename D::cca_architecture>::value};
+template <class D, int I>
 inline constexpr flat_of<deployed_mode<D, I>> plan_of<deployed_mode<D, I>> =
     then<deployed_mode<D, I>>(plan_in_set<typename D::cca_architecture, I>(), [](flat_view g) {
       g.scopes[0].graph = &graph_facts<deployed_mode<D, I>>::value;
-      return place_components(g, environments_of<D>::all.data(), environment_count<D>,
-                              &modes_of<typename D::cca_architecture>::value);
+      return place_components(g, placement_of_mode<D, I>);
     });
 
 template <DeploymentOfModes D, int I, class Item>
@@ -77,9 +80,23 @@ struct name_of_set<D> {
 
 // All modes together, with their places.
 template <DeploymentOfModes D>
+inline constexpr deployment_info facts_of_all = [] {
+  deployment_info info = environments_of<D>::facts;
+  info.name = deployment_name(type_name<D>());
+  return info;
+}();
+template <DeploymentOfModes D>
+inline constexpr deployment_placement placement_of_all{environments_of<D>::all.data(), environment_count<D>,
+                                                       &facts_of_all<D>};
+template <DeploymentOfModes D>
+struct told_of<D> {
+  using rules = deployment_rules::type;
+  using writer = deployment_writer;
+};
+template <DeploymentOfModes D>
 inline constexpr flat_of<D> plan_of<D> = then<D>(shared_plan_of<D>.graph, [](flat_view g) {
-  g.environments = environments_of<D>::all.data();
-  g.environment_count = environment_count<D>;
+  g.hung = &placement_of_all<D>;
+  g.is_spread = environment_count<D> > 0;
   check_environments(g);
   return g;
 });

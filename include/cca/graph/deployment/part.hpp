@@ -7,6 +7,7 @@
 #include <cca/graph/plan/may_miss.hpp>
 #include <cca/graph/planning/plan.hpp>
 #include <cca/graph/marks/traceable.hpp>
+#include <cca/graph/verdict/diagnosis.hpp>
 
 namespace cca::detail {
 
@@ -15,18 +16,38 @@ inline constexpr flat_of<D> plan_without_places = finished<D>();
 
 // The plan of its architecture, and the place of each component.
 template <Deployment D>
-inline constexpr flat_of<D> plan_of<D> = then<D>(plan_without_places<D>, [](flat_view g) {
-  return place_components(g, environments_of<D>::all.data(), environment_count<D>);
-});
+inline constexpr flat_of<D> plan_of<D> =
+    then<D>(plan_without_places<D>, [](flat_view g) { return place_components(g, placement_of<D>); });
 
 // The same in a wall-clock run, where nobody knows when a free-running environment publishes.
 constexpr flat_view make_irregular(flat_view g) {
   for (int c = 0; c < g.call_count; ++c)
-    g.calls[c].irregular = g.environments[environment_of(g, c)].is_free_running;
+    g.calls[c].irregular = environment_in(g, environment_of(g, c)).is_free_running;
   return find_clocks(g);
 }
 template <Deployment D>
 inline constexpr flat_of<D> plan_at_wall_clock = then<D>(plan_of<D>, make_irregular);
+
+// Its architecture may break the rules of graphs.
+template <class... First, class... Then>
+list<First..., Then...> joined_rules(list<First...>, list<Then...>);
+template <Deployment D>
+struct told_of<D> {
+  using rules = decltype(joined_rules(detail::rules{}, deployment_rules::type{}));
+  using writer = deployment_writer;
+};
+
+// Its architecture is no graph.
+template <class D>
+  requires requires { typename D::cca_architecture; }
+struct no_graph<D> {
+  using named = typename D::cca_architecture;
+  static constexpr void tell(auto& message) {
+    message << "` in " << type_name<D>()
+            << " is no graph: the first argument of cca::deployment is the architecture, a struct derived "
+               "from cca::graph<...> or, of several modes, from cca::modes<...>, and the environments follow";
+  }
+};
 
 // Does a node run in a free-running environment of a deployment?
 template <class Graph>
@@ -35,7 +56,7 @@ constexpr bool is_free_node(int) {
 }
 template <AnyDeployment D>
 constexpr bool is_free_node(int node) {
-  return environments_of<D>::all[array_size(plan_of<D>.nodes[array_size(node)].environment)].is_free_running;
+  return environments_of<D>::all[array_size(plan_of<D>.nodes[array_size(node)].place)].is_free_running;
 }
 
 // Environment `E` of a deployment, as a graph.

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cca/graph/diagnosis/rules/check.hpp>
-#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/deployment/environments.hpp>
+#include <cca/graph/deployment/rules/rules_of_deployments.hpp>
 #include <cca/graph/plan/flat.hpp>
-#include <cca/graph/plan/mode_info.hpp>
+#include <cca/graph/modes/mode_info.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {
@@ -35,26 +36,26 @@ constexpr int scope_of_wire(const flat_view& g, const input& in) {
 
 // All components have their place. Of a set of modes: those of all modes.
 constexpr void check_environments(flat_view& g) {
-  for (int e = 0; e < g.environment_count; ++e) check<when::finished_environment>(g, {.environment = e});
+  for (int e = 0; e < placement_in(g).count; ++e) check<when::finished_environment>(g, {.numbers = {e}});
 }
 
 struct placer {
   flat_view g;
-  const modes_info* modes = nullptr;  // the whole set, where this is one of its modes
+  const modes_info* modes = placement_in(g).modes;
 
   constexpr void place(int node, int environment) {
     auto& n = g.nodes[node];
-    if (n.environment >= 0 && n.environment != environment)
+    if (n.place >= 0 && n.place != environment)
       check<when::placed_node>(
-          g, {.item = n.item, .scope = n.scope, .component = node, .environment = environment});
-    if (n.environment < 0) n.environment = environment;
+          g, {.item = n.item, .scope = n.scope, .component = node, .numbers = {environment}});
+    if (n.place < 0) n.place = environment;
   }
 
   constexpr void place_named() {
     check<when::stated_deployment>(g, {});
-    for (int e = 0; e < g.environment_count; ++e) {
-      const auto& environment = g.environments[e];
-      check<when::stated_environment>(g, {.environment = e});
+    for (int e = 0; e < placement_in(g).count; ++e) {
+      const auto& environment = environment_in(g, e);
+      check<when::stated_environment>(g, {.numbers = {e}});
       for (int p = 0; p < environment.path_count; ++p) {
         const auto path = hash(environment.paths[p]);
         bool found = false;
@@ -63,9 +64,8 @@ struct placer {
             found = true;
             place(n, e);
           }
-        if (found || is_in_other_mode(path)) continue;
-        g.modes = modes;
-        check<when::placed_path>(g, {.environment = e, .name = environment.paths[p]});
+        if (!found && !is_in_other_mode(path))
+          check<when::placed_path>(g, {.numbers = {e}, .name = environment.paths[p]});
       }
     }
   }
@@ -82,20 +82,19 @@ struct placer {
 
   constexpr void place_others() {
     int others = -1;
-    for (int e = 0; e < g.environment_count && others < 0; ++e)
-      if (g.environments[e].has_others) others = e;
+    for (int e = 0; e < placement_in(g).count && others < 0; ++e)
+      if (environment_in(g, e).has_others) others = e;
     for (int n = 0; n < g.node_count; ++n) {
       auto& node = g.nodes[n];
-      if (node.environment < 0) node.environment = others;
-      if (node.environment < 0)
+      if (node.place < 0) node.place = others;
+      if (node.place < 0)
         check<when::placed_node>(g, {.item = node.item, .scope = node.scope, .component = n});
     }
     if (!modes) check_environments(g);
     for (int n = 0; n < g.node_count; ++n)
-      if (const auto& node = g.nodes[n];
-          node.environment >= 0 && g.environments[node.environment].is_free_running)
+      if (const auto& node = g.nodes[n]; node.place >= 0 && environment_in(g, node.place).is_free_running)
         check<when::free_node>(
-            g, {.item = node.item, .scope = node.scope, .component = n, .environment = node.environment});
+            g, {.item = node.item, .scope = node.scope, .component = n, .numbers = {node.place}});
   }
 
   constexpr void check_crossings() {
@@ -109,8 +108,8 @@ struct placer {
       const auto& in = g.inputs[i];
       const auto& reader = g.nodes[g.calls[in.call].node];
       const finding facts{.item = reader.item, .scope = reader.scope, .input = i, .output = in.writer};
-      if (reader.environment != environment_of(g, g.outputs[in.writer].call)) check<when::crossing>(g, facts);
-      if (in.shows >= 0 && reader.environment != environment_of(g, g.inputs[in.shows].call))
+      if (reader.place != environment_of(g, g.outputs[in.writer].call)) check<when::crossing>(g, facts);
+      if (in.shows >= 0 && reader.place != environment_of(g, g.inputs[in.shows].call))
         check<when::queue_shown_elsewhere>(g, facts);
     }
   }
@@ -123,14 +122,10 @@ struct placer {
   }
 };
 
-// `modes`: the set whose mode this is; null: it is a graph by itself.
-constexpr flat_view place_components(flat_view g,
-                                     const environment_info* environments,
-                                     int count,
-                                     const modes_info* modes = nullptr) {
-  g.environments = environments;
-  g.environment_count = count;
-  placer step{g, modes};
+constexpr flat_view place_components(flat_view g, const deployment_placement& facts) {
+  g.hung = &facts;
+  g.is_spread = facts.count > 0;
+  placer step{g};
   step.run();
   return step.g;
 }

@@ -1,8 +1,6 @@
 // Writes a message: names of nodes, ports and wires as the user knows them.
 #pragma once
 
-#include <cca/graph/plan/environments.hpp>
-#include <cca/graph/plan/mode_info.hpp>
 #include <cca/graph/plan/paths.hpp>
 
 namespace cca::detail {
@@ -15,7 +13,6 @@ struct message_writer {
   constexpr const finding& found() const { return g.found; }
   constexpr const item_info& item() const { return *g.found.item; }
   constexpr const graph_info& graph() const { return *g.scopes[g.found.scope].graph; }
-  constexpr const deployment_info& deployment() const { return *g.scopes[0].graph->deployment; }
 
   // These write `where`, what is at fault; all below write the message.
   constexpr void at_node() {
@@ -39,15 +36,6 @@ struct message_writer {
     if (item().component) say() << " (" << item().component->name() << ")";
     if (item().inner) say() << " (" << item().inner->name << ")";
   }
-  // environment `mind`
-  constexpr void environment(int e) { say() << "environment `" << g.environments[e].name << "`"; }
-  // mode `trot`
-  constexpr void mode(int number) { say() << "mode `" << g.modes->modes[number].name << "`"; }
-  // Of a deployment of modes, while one of them is looked at: of mode `trot`
-  constexpr void of_mode() {
-    if (const auto& in = deployment().mode; !in.empty()) say() << " of mode `" << in << "`";
-  }
-  constexpr double rate_of(int mode) const { return g.modes->modes[mode].plan->hz; }
   template <class Port>
   constexpr void port(const Port& p) {
     say() << "`";

@@ -1,10 +1,9 @@
-// "Did you mean ...": the node of a graph, or of any mode, whose path is nearest to a wrong one.
+// "Did you mean ...": the node of a graph, or of several, whose path is nearest to a wrong one.
 #pragma once
 
 #include <algorithm>
 
 #include <cca/base/nearest.hpp>
-#include <cca/graph/plan/mode_info.hpp>
 #include <cca/graph/plan/paths.hpp>
 
 namespace cca::detail {
@@ -42,11 +41,6 @@ private:
 constexpr text nearest_node(const flat_view& g, std::string_view wrong) {
   node_search search{wrong};
   search.look_in(g);
-  return search.nearest;
-}
-constexpr text nearest_node(const modes_info& all, std::string_view wrong) {
-  node_search search{wrong};
-  for (int m = 0; m < all.count; ++m) search.look_in(*all.modes[m].plan);
   return search.nearest;
 }
 

@@ -10,6 +10,8 @@
 // rule with an `is_broken` for this event is then asked, in the order of rules.hpp. It may add facts that its
 // message needs. Only the first broken rule of a graph is kept, as flat_view::found.
 //
+// A wing has events of its own, which name the list of its rules: `using asked = its_rules`.
+//
 // `tell` is a template, so unused messages are not compiled.
 #pragma once
 
@@ -43,7 +45,7 @@ struct wire_options {};   // a wire
 struct second_writer {};  // a wire to an input that has one [input, output]
 struct connection {};     // a wire between two ports [input, output]
 struct open_input {};     // an input that nothing feeds [input]
-struct unknown_part {};   // a component stops or starts what is no part [name; of a set of modes: in_mode]
+struct unknown_part {};   // a component stops or starts what is no part [name]
 // listen; the item is an observe of a graph, or the node of an observer [input]
 struct observer_policy {};
 struct unheard_pattern {};  // it names nothing
@@ -62,28 +64,5 @@ struct clocked_wire {};    // [input, output]
 struct finished_call {};   // [call]
 struct finished_input {};  // of a space [input]
 struct stated_latency {};  // [output, input]: both ends of a require
-// place the components of a deployment
-struct stated_deployment {};   // [no item]
-struct stated_environment {};  // [environment, no item]
-// A path that names nothing, in no mode [name, environment, no item; flat_view::modes: those of a set].
-struct placed_path {};
-struct placed_node {};            // named by a second environment [environment], or by none [node]
-struct finished_environment {};   // all components have their place [environment, no item]
-struct free_node {};              // a component of a free-running environment [node, environment]
-struct crossing {};               // a wire, or an observer's node, between two environments [input, output]
-struct queue_shown_elsewhere {};  // an observer's node; the queue is in another environment [input, output]
-
-// share the components of a set of modes [no item, unless said otherwise]
-struct stated_modes {};        // []
-struct stated_mode {};         // [mode]
-struct known_rate_of_mode {};  // [mode, other_mode]
-// Two modes have a component at one path [item of the second, component, mode, other_mode].
-struct shared_path {};
-// A component that not all modes have [item, component, mode, other_mode: has it, lacks it].
-struct missing_node {};
-struct requested_mode {};  // by a component [item, name]
-// An input on the way to an actuator is fed in two ways
-// [item, component, name, mode, other_mode, output, other_output].
-struct parting_commands {};
 
 }  // namespace cca::detail::when

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cca/graph/items/graph.hpp>
+#include <cca/component/strategy.hpp>
 #include <cca/graph/items/modes.hpp>
 
 namespace cca {
@@ -39,6 +40,10 @@ template <int Beats>
 struct tolerate {};
 
 namespace detail {
+
+template <>
+inline constexpr std::string_view no_strategy_but<free_running> =
+    "it is an option of an environment; the nodes in that are cca::full_speed";
 
 // A type that is no graph has no items. Then the deployment is no graph either, and gets that message.
 template <class Architecture>

@@ -9,6 +9,7 @@
 // Errors: modes.*. Example: docs/modes.md.
 #pragma once
 
+#include <cca/component/component.hpp>
 #include <cca/graph/items/graph.hpp>
 
 namespace cca {
@@ -22,5 +23,14 @@ struct modes {
 };
 
 template <class Type> concept Modes = requires { typename Type::cca_modes; };
+
+namespace detail {
+
+template <Modes M>
+inline constexpr no_component no_component_of<M>{
+    " is a set of modes, which is no node: a mode holds the whole architecture, so put the other nodes of ",
+    " into its modes, and give the set to a controller or a deployment"};
+
+}  // namespace detail
 
 }  // namespace cca

@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include <cca/graph/plan/arrivals.hpp>
-#include <cca/graph/plan/mode_info.hpp>
+#include <cca/graph/modes/mode_info.hpp>
 #include <cca/graph/plan/names.hpp>
 #include <cca/graph/plan/scratch.hpp>
 #include <cca/graph/planning/steps/clocks.hpp>

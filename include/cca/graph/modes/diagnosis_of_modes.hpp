@@ -23,6 +23,12 @@ struct first_broken<M, list<mode<Name, G>, More...>> {
 };
 
 template <Modes M>
+struct told_of<M> {
+  using rules = rules_of_modes::type;
+  using writer = writer_of_modes;
+};
+
+template <Modes M>
 struct diagnosed<M> : first_broken<M, typename M::cca_modes> {};
 
 }  // namespace cca::detail

@@ -299,7 +299,7 @@ inline constexpr auto shared_nodes = [] {
 
 // A shared node is that of the first mode which has it.
 template <class M, int Node>
-inline constexpr int first_mode_of = first_of(plan_of<M>.nodes[array_size(Node)].modes);
+inline constexpr int first_mode_of = first_of(plan_of<M>.nodes[array_size(Node)].members);
 template <class M, int Node>
 inline constexpr int number_in_first_mode = [] {
   int n = 0;

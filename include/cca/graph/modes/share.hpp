@@ -6,7 +6,8 @@
 #pragma once
 
 #include <cca/graph/diagnosis/rules/check.hpp>
-#include <cca/graph/plan/mode_info.hpp>
+#include <cca/graph/modes/mode_info.hpp>
+#include <cca/graph/modes/rules/list_of_modes.hpp>
 #include <cca/graph/modes/same_commands.hpp>
 #include <cca/graph/modes/unseen_samples.hpp>
 
@@ -52,7 +53,7 @@ struct sharing {
                                    .scope = own.scope + first_scope,
                                    .hash = own.hash};
     }
-    to.parts[shared].modes |= bit_of(mode);
+    to.parts[shared].members |= bit_of(mode);
   }
   // A node of this path that can't be stopped.
   static constexpr bool has_other_node(const flat_view& g, std::uint64_t path) {
@@ -81,7 +82,7 @@ struct sharing {
     added.scope += first_scope;
     added.part = find_part(from, added.part, to);
     added.first_call = to.call_count;
-    added.modes = bit_of(mode);
+    added.members = bit_of(mode);
     for (int c = 0; c < added.call_count; ++c) {
       const auto& call = from.calls[from.nodes[n].first_call + c];
       auto& own = to.calls[to.call_count];
@@ -105,10 +106,9 @@ struct sharing {
     auto& node = to.nodes[shared];
     check<when::shared_path>(to, {.item = from.nodes[n].item,
                                   .component = shared,
-                                  .in_mode = first_of(node.modes),
-                                  .other_mode = mode});
+                                  .numbers = modes_at_fault(first_of(node.members), mode)});
     if (to.found.is_broken()) return;
-    node.modes |= bit_of(mode);
+    node.members |= bit_of(mode);
     // It can be stopped on its own if each of its modes says so.
     if (!from.nodes[n].item->is_stoppable()) node.item = from.nodes[n].item;
     for (int c = 0; c < node.call_count; ++c) {
@@ -134,7 +134,7 @@ struct sharing {
                                          .is_taken = true};
         ++to.taken_count;
       }
-      to.outputs[shared].modes |= bit_of(mode);
+      to.outputs[shared].members |= bit_of(mode);
     }
   }
 
@@ -175,7 +175,7 @@ struct sharing {
       own.queue = to.queue_count++;
       ++to.input_count;
     }
-    own.modes |= bit_of(mode);
+    own.members |= bit_of(mode);
     own.counts_vary |= in.counts_vary || (is_for_many(in) && in.counts != own.counts);
     own.counts_arrivals |= in.counts_arrivals;
   }
@@ -192,7 +192,7 @@ struct sharing {
       own.way_of = queue;
       ++to.input_count;
     }
-    own.modes |= bit_of(mode);
+    own.members |= bit_of(mode);
   }
 
   // Several wires may lead into its queue, other ones in another mode.
@@ -240,14 +240,14 @@ struct sharing {
     const auto everywhere = all_of_modes(all);
     for (int n = 0; n < to.node_count; ++n) {
       const auto& node = to.nodes[n];
-      if (node.modes == everywhere) continue;
+      if (node.members == everywhere) continue;
       for (int c = node.first_call; c < node.first_call + node.call_count; ++c)
         to.calls[c].fires = to.calls[c].own_clock = dynamic_clock;
-      check<when::missing_node>(to, {.item = node.item,
-                                     .scope = node.scope,
-                                     .component = n,
-                                     .in_mode = first_of(node.modes),
-                                     .other_mode = first_of(everywhere & ~node.modes)});
+      check<when::missing_node>(
+          to, {.item = node.item,
+               .scope = node.scope,
+               .component = n,
+               .numbers = modes_at_fault(first_of(node.members), first_of(everywhere & ~node.members))});
     }
     for (int c = 0; c < to.call_count; ++c)
       for (int r = 0; r < to.calls[c].function->requested_count; ++r)
@@ -266,11 +266,12 @@ struct sharing {
         bool is_shared = false;
         for (int p = 0; p < to.part_count; ++p) is_shared |= to.parts[p].hash == wanted.hash;
         if (!is_shared)
-          check<when::unknown_part>(to,
-                                    {.item = &item_of_call(g, asking),
-                                     .scope = to.nodes[view_of(m).shared_node(asking.node)].scope,
-                                     .in_mode = m,
-                                     .name = asking.function->asked_parts[r - asking.first_request].path});
+          check<when::unknown_part>(
+              to, {.item = &item_of_call(g, asking),
+                   .scope = to.nodes[view_of(m).shared_node(asking.node)].scope,
+                   .name = asking.function->asked_parts[r - asking.first_request].path,
+                   .why = "but not every mode that has this node lets it be stopped: give it "
+                          "cca::stoppable<...> in all of them"});
       }
     }
   }
@@ -296,21 +297,20 @@ struct sharing {
       if (part.input < 0) continue;
       const auto &a = one.g.inputs[part.input], &b = other.g.inputs[part.other];
       const int node = to.calls[one.shared_call(a.call)].node;
-      check<when::parting_commands>(to, {.item = to.nodes[node].item,
-                                         .scope = to.nodes[node].scope,
-                                         .output = one.shared_output(a.writer),
-                                         .component = node,
-                                         .in_mode = mode,
-                                         .other_mode = other_mode,
-                                         .other_output = other.shared_output(b.writer),
-                                         .name = port_of(one.g, a).name});
+      check<when::parting_commands>(
+          to, {.item = to.nodes[node].item,
+               .scope = to.nodes[node].scope,
+               .output = one.shared_output(a.writer),
+               .component = node,
+               .numbers = modes_at_fault(mode, other_mode, other.shared_output(b.writer)),
+               .name = port_of(one.g, a).name});
     }
   }
 
   constexpr void run() {
-    to.modes = &all;
+    to.hung = &all;
     check<when::stated_modes>(to, {});
-    for (int m = 0; m < all.count; ++m) check<when::stated_mode>(to, {.in_mode = m});
+    for (int m = 0; m < all.count; ++m) check<when::stated_mode>(to, {.numbers = modes_at_fault(m)});
     for (int m = 0; m < all.count; ++m)  // the mode itself says what is wrong with it
       if (!all.modes[m].plan || all.modes[m].plan->found.is_broken()) return;
     if (to.found.is_broken()) return;
@@ -318,7 +318,7 @@ struct sharing {
     to.period = all.modes[0].plan->period;
     for (int m = 0; m < all.count && !to.found.is_broken(); ++m) {
       to.may_fault |= all.modes[m].plan->may_fault;
-      check<when::known_rate_of_mode>(to, {.in_mode = 0, .other_mode = m});
+      check<when::known_rate_of_mode>(to, {.numbers = modes_at_fault(0, m)});
       add_mode(m);
     }
     if (to.found.is_broken()) return;

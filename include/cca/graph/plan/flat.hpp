@@ -13,8 +13,8 @@
 
 namespace cca::detail {
 
-struct environment_info;
-struct modes_info;
+// Facts that a wing hangs on a plan: a type of its own, derived from this.
+struct hung_facts {};
 
 // The outermost graph or an inner one; its hash is that of its path.
 struct scope {
@@ -30,9 +30,9 @@ struct scope {
 struct stoppable_part {
   int parent = -1;  // the next one around it
   const item_info* item = nullptr;
-  int scope = 0;           // in which it stands
-  std::uint64_t hash = 0;  // of its path
-  std::uint64_t modes = 0;
+  int scope = 0;              // in which it stands
+  std::uint64_t hash = 0;     // of its path
+  std::uint64_t members = 0;  // as of a component_node
 };
 
 // A component's result that stops or starts a part.
@@ -46,9 +46,9 @@ struct component_node {
   const item_info* item = nullptr;
   int scope = 0;
   int first_call = 0, call_count = 0;
-  int part = -1;            // the innermost that may be stopped and has it
-  int environment = -1;     // of a deployment
-  std::uint64_t modes = 0;  // of a set of modes: those that have it, a bit for each
+  int part = -1;              // the innermost that may be stopped and has it
+  int place = -1;             // the loop that runs it, if several run the graph
+  std::uint64_t members = 0;  // if the plan is of several graphs: those that have it, a bit for each
 };
 
 // One function of a component: `process`, or `sense` and `act` of a resource node.
@@ -65,16 +65,16 @@ struct call {
   bool may_miss = false;     // its clock is known, but a beat may end before its turn
   bool tells_taken = false;  // publishes what its inputs take from their queues
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
-  bool elsewhere = false;    // runs in another environment
-  bool irregular = false;    // of a free-running environment, in a wall-clock run
-  // Of a set of modes, where its samples come from a free-running environment: it fires by this clock in a
-  // fast run, and as its strategy says in a wall-clock run.
+  bool elsewhere = false;    // another loop runs it
+  bool irregular = false;    // nobody knows in which beats it fires
+  // If it is known only in a fast run: then it fires by this clock, and in a wall-clock run as its strategy
+  // says.
   clock fast_clock = dynamic_clock;
-  // Only in a set of modes (graph/modes/share.hpp):
-  bool open_clock = false;          // what it looks at tells no clock that holds after a switch
-  bool unsteady = false;            // its clock is known, but another mode has another one, or lacks the node
-  bool other_clocks = false;        // another mode has another one
-  std::int64_t longest_period = 1;  // in beats, of all modes
+  // Only if the plan is of several graphs, of which one runs at a time:
+  bool open_clock = false;    // what it looks at tells no clock that holds after a switch
+  bool unsteady = false;      // its clock is known, but another graph has another one, or lacks the node
+  bool other_clocks = false;  // another graph has another one
+  std::int64_t longest_period = 1;  // in beats, of all graphs
 };
 
 // An input, or a further way into one: each wire but the first of those that are merged at an input. The ways
@@ -103,8 +103,8 @@ struct input {
   std::uint64_t counts_for = 0;  // of a way: the bits of the observers for which its samples count
   bool watched = false;          // an `observe` of the graph names it
   ref<item_info> watched_as = nullptr;
-  bool outside = false;     // no port: the program reads it, by an `observe` of the graph that has a policy
-  std::uint64_t modes = 0;  // of a set of modes: those that have this queue
+  bool outside = false;       // no port: the program reads it, by an `observe` of the graph that has a policy
+  std::uint64_t members = 0;  // as of a component_node, of those that have this queue
 };
 
 // How a sample is stored; decided in graph/planning/steps/storage.hpp. A queue is an input's own, and so is
@@ -122,11 +122,11 @@ struct output {
   ref<item_info> watched_as = nullptr;
   storage_kind storage = storage_kind::none;
   int depth = 0;         // of the past, or of what arrives
-  bool leaves = false;   // another environment reads it
+  bool leaves = false;   // another loop reads it
   int in_a_beat = 1;     // samples; in a replay what arrived together may be more
-  bool by_clock = true;  // its clock tells when its samples were published, also in other modes
+  bool by_clock = true;  // its clock tells when its samples were published, also in other graphs
   ref<item_info> initial_of = nullptr;
-  std::uint64_t modes = 0;  // of a set of modes, if it is_taken: those that have it
+  std::uint64_t members = 0;  // as of a component_node, if it is_taken
 };
 
 // What an observer hears: an output, or what another input shows. It comes by an input of its own, which
@@ -161,9 +161,8 @@ struct flat_view {
   int input_count = 0;   // of ports, then of further ways into them, then one for each link
   int first_link = 0;    // the first of the last
   int order_count = 0;   // calls in a beat
-  const environment_info* environments = nullptr;
-  int environment_count = 0;
-  const modes_info* modes = nullptr;
+  const hung_facts* hung = nullptr;
+  bool is_spread = false;  // several loops run the graph
   double hz = 0;
   std::int64_t period = 0;  // nanoseconds a beat
   int calls_in_part = 0;    // graph/plan/long_beats.hpp
@@ -275,14 +274,14 @@ constexpr void for_each_way(const flat_view& g, int input_index, F f) {
 // What comes by this way waits until it arrives, before it enters the queue.
 constexpr bool is_on_the_way(const input& i) { return i.queue >= 0 && i.delay > 0; }
 
-// Of a deployment; else -1.
-constexpr int environment_of(const flat_view& g, int call) { return g.nodes[g.calls[call].node].environment; }
+// The loop that runs a call, if several run the graph; else -1.
+constexpr int place_of(const flat_view& g, int call) { return g.nodes[g.calls[call].node].place; }
 
 // A way into a queue of which something is kept between two beats: what has not arrived, or how much of
-// what another environment publishes has been taken.
+// what another loop publishes has been taken.
 constexpr bool is_kept_way(const flat_view& g, const input& in) {
   return is_queued(in) && in.writer >= 0 &&
-         (in.delay > 0 || environment_of(g, in.call) != environment_of(g, g.outputs[in.writer].call));
+         (in.delay > 0 || place_of(g, in.call) != place_of(g, g.outputs[in.writer].call));
 }
 
 // Do two wires state the same initial value for an input of so many numbers, or both none?

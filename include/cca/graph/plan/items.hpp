@@ -15,7 +15,8 @@ enum class policy_kind : std::uint8_t { unstated, latest, delayed, queue, merged
 enum class full_kind : std::uint8_t { drop_oldest, drop_newest, reject, unknown };
 
 struct graph_info;
-struct deployment_info;
+struct flat_view;
+struct finding;
 
 struct item_info {
   item_kind kind = item_kind::unknown;
@@ -32,6 +33,7 @@ struct item_info {
   int initial_count = 0;
   double hz = 0;                             // rate
   std::string_view unknown_type{};           // a type that is no item, option of a wire, or strategy
+  std::string_view instead{};                // of a type that is no strategy: what it is
   bool repeats_option = false;               // wire: policies that exclude each other, or two initial values
   std::uint64_t from_hash = 0, to_hash = 0;  // as paths of the outermost graph
   std::uint64_t strategy_key = 0;            // type_key of a node's strategy
@@ -68,7 +70,7 @@ struct graph_info {
   const item_info* items = nullptr;
   int count = 0;
   graph_sizes sizes;
-  ref<deployment_info> deployment = nullptr;  // of a deployment: graph/plan/environments.hpp
+  void (*refuse_as_node)(flat_view&, const finding&) = nullptr;  // of a type that is no inner graph
   wires_of inner = wires_of::nobody;
 };
 
@@ -192,7 +194,10 @@ constexpr item_info node_item(std::string_view name) {
   describe_node<Component>(item);
   if constexpr (!std::is_same_v<Strategy, by_default>) {
     item.strategy = &strategy_of<Strategy>;
-    if constexpr (!ProcessingStrategy<Strategy>) item.unknown_type = type_name<Strategy>();
+    if constexpr (!ProcessingStrategy<Strategy>) {
+      item.unknown_type = type_name<Strategy>();
+      item.instead = no_strategy_but<Strategy>;
+    }
   }
   return item;
 }

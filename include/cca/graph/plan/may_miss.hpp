@@ -1,5 +1,5 @@
-// Which functions may miss a firing: a fault may end a beat before their turn, and an environment of a
-// deployment may also leave out beats. If their clock is known, it does not tell when they fired last
+// Which functions may miss a firing: a fault may end a beat before their turn, and one of several
+// loops may also leave out beats. If their clock is known, it does not tell when they fired last
 // (runtime/samples/missed_firings.hpp).
 #pragma once
 
@@ -21,13 +21,13 @@ constexpr bool may_fault_at_begin(const input& way) {
   return is_on_the_way(way) && way.wire->full == full_kind::reject;
 }
 
-// Of a part of a deployment, where it is called twice, also those whose clock only the whole knows.
+// Of the part that one of several loops runs, where it is called twice, also those whose clock only the whole
+// knows.
 constexpr void find_missing(flat_view& g) {
-  const bool is_deployed = g.environment_count > 0;
-  bool may_have_ended = is_deployed;
+  bool may_have_ended = g.is_spread;
   for (int i = 0; i < g.input_count; ++i) may_have_ended |= may_fault_at_begin(g.inputs[i]);
-  for (int c = 0; c < g.call_count; ++c) g.calls[c].may_miss &= is_deployed && !g.calls[c].elsewhere;
-  if (!g.may_fault && !is_deployed) return;
+  for (int c = 0; c < g.call_count; ++c) g.calls[c].may_miss &= g.is_spread && !g.calls[c].elsewhere;
+  if (!g.may_fault && !g.is_spread) return;
   for (int r = 0; r < g.order_count; ++r) {
     auto& c = g.calls[g.order[r]];
     c.may_miss |= may_have_ended && c.own_clock.known() && !c.own_clock.never();

@@ -14,7 +14,7 @@
 //   choose_storage    how the samples of each output are stored               storage.hpp
 //   check_whole       the rules about the finished plan                       whole.hpp
 //
-// A deployment adds one step, place_components, and a set of modes its own (modes/plan_of_modes.hpp).
+// Wings add steps of their own; a wing is what is built on graphs in a folder beside this one.
 #pragma once
 
 #include <cca/graph/plan/flat.hpp>

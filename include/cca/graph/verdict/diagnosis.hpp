@@ -31,8 +31,8 @@ struct report {
   text where{}, message{};
 };
 
-// What a controller runs: a graph, or a set of them (graph/modes/diagnosis_of_modes.hpp). `diagnosed` is
-// where its first mistake may be: the type itself, or a part of it.
+// What a controller runs: a graph, or what a wing makes of some. `diagnosed` is where its first mistake may
+// be: the type itself, or a part of it.
 template <class Type>
 inline constexpr bool has_plan = Graph<Type>;
 template <class Type>
@@ -48,6 +48,27 @@ consteval std::string_view broken_by() {
   else return graph_unknown_item::id;
 }
 
+// The rules that a plan may break, and who writes their messages. A wing adds its own.
+template <class Type>
+struct told_of {
+  using rules = detail::rules;
+  using writer = message_writer;
+};
+
+// The message about a type that is no graph, after its name.
+template <class Type>
+struct no_graph {
+  static constexpr void tell(auto& message) {
+    message
+        << "` is no graph: a controller runs a struct derived from cca::graph<...>; put a component into one "
+           "as cca::node<`name`, "
+        << type_name<Type>() << ">; if another error names " << type_name<Type>()
+        << ", mend that first: a comma may be missing between two items of the graph, or a value (a lambda, "
+           "an object) stands where a type should";
+  }
+  using named = Type;
+};
+
 template <class... Rules>
 auto as_tuple(list<Rules...>) -> std::tuple<Rules*...>;
 
@@ -55,34 +76,30 @@ template <class Type, class Writer, class Report>
 consteval Report make_report() {
   Report r;
   if constexpr (has_plan<Type>) {
-    constexpr auto number = number_of_rule(broken_by<Type>(), rules{});
-    using rule = std::remove_pointer_t<std::tuple_element_t<number, decltype(as_tuple(rules{}))>>;
     const auto& plan = plan_of<Type>;
-    Writer m{plan.view()};
-    m.say() << rule::id << ": ";
-    rule::tell(m);
+    Writer m{};
+    m.g = plan.view();
+    m.say() << broken_by<Type>() << ": ";
+    if constexpr (constexpr auto tell = counts_of<Type>.found.tell; tell != nullptr) {
+      tell(m);
+    } else {
+      using rules = typename told_of<Type>::rules;
+      constexpr auto number = number_of_rule(broken_by<Type>(), rules{});
+      using rule = std::remove_pointer_t<std::tuple_element_t<number, decltype(as_tuple(rules{}))>>;
+      rule::tell(m);
+    }
     r = {m.where, m.message};
-  } else if constexpr (requires { typename Type::cca_architecture; }) {
-    r.where << type_name<Type>();
-    r.message
-        << broken_by<Type>() << ": `" << type_name<typename Type::cca_architecture>() << "` in "
-        << type_name<Type>()
-        << " is no graph: the first argument of cca::deployment is the architecture, a struct derived "
-           "from cca::graph<...> or, of several modes, from cca::modes<...>, and the environments follow";
   } else {
     r.where << type_name<Type>();
-    r.message
-        << broken_by<Type>() << ": `" << type_name<Type>()
-        << "` is no graph: a controller runs a struct derived from cca::graph<...>; put a component into one "
-           "as cca::node<`name`, "
-        << type_name<Type>() << ">; if another error names " << type_name<Type>()
-        << ", mend that first: a comma may be missing between two items of the graph, or a value (a lambda, "
-           "an object) stands where a type should";
+    r.message << broken_by<Type>() << ": `" << type_name<typename no_graph<Type>::named>();
+    no_graph<Type>::tell(r.message);
   }
   return {as_written(r.where), as_written(r.message)};
 }
 template <class Graph>
-inline constexpr auto report_of = make_report<typename diagnosed<Graph>::type, message_writer, report>();
+inline constexpr auto report_of = make_report<typename diagnosed<Graph>::type,
+                                              typename told_of<typename diagnosed<Graph>::type>::writer,
+                                              report>();
 
 template <class Graph>
 consteval diagnosis_value make_diagnosis() {

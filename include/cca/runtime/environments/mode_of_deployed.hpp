@@ -62,10 +62,10 @@ protected:
     hooks_of_active_mode& operator=(const hooks_of_active_mode&) = delete;
   };
   bool has_hooks(int node) const {
-    return !is_for_active_mode || has_mode(plan_of<D>.nodes[array_size(node)].modes, number());
+    return !is_for_active_mode || has_mode(plan_of<D>.nodes[array_size(node)].members, number());
   }
   bool has_part_in_mode(int part) const {
-    return has_mode(plan_of<D>.parts[array_size(part)].modes, number());
+    return has_mode(plan_of<D>.parts[array_size(part)].members, number());
   }
   void check_part_of_mode(const char* call, int part) const {
     if (!has_part_in_mode(part)) mode_names<D>::refuse_part(call, part, mode());

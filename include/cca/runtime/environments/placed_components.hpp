@@ -19,10 +19,8 @@ template <class D>
 class placed_components {
 protected:
   template <int Node>
-  static constexpr int environment_of = plan_of<D>.nodes[Node].environment;
-  static std::size_t environment_at(int node) {
-    return array_size(plan_of<D>.nodes[array_size(node)].environment);
-  }
+  static constexpr int environment_of = plan_of<D>.nodes[Node].place;
+  static std::size_t environment_at(int node) { return array_size(plan_of<D>.nodes[array_size(node)].place); }
 
   template <int Node>
   auto& component() {
@@ -184,7 +182,7 @@ private:
     }(chosen<counts_of<Mode>.first_link, is_watched_input<Mode>>{});
   }
   template <class Mode, int Call>
-  static constexpr int environment_of_call = plan_of<Mode>.nodes[call_of<Mode, Call>.node].environment;
+  static constexpr int environment_of_call = plan_of<Mode>.nodes[call_of<Mode, Call>.node].place;
 };
 
 // The environments as a tracer and a recorder know them: each loop of this process tells them of its beats.

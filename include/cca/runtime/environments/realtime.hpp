@@ -23,7 +23,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/deployment/environments.hpp>
 
 namespace cca {
 

@@ -25,7 +25,7 @@ struct live_loops {
 template <class D>
 struct live_loops<deployed<D>> {
   static constexpr int count = environment_count<D>;
-  static constexpr int of_node(int node) { return plan_of<D>.nodes[array_size(node)].environment; }
+  static constexpr int of_node(int node) { return plan_of<D>.nodes[array_size(node)].place; }
 };
 
 // A friend of each controller.

@@ -117,10 +117,10 @@ private:
   // Parameters are those of all modes, on_start and on_stop the active one's.
   bool is_here(int node) const { return !is_for_active_mode || is_active(node); }
   bool is_active(int node) const {
-    return detail::has_mode(detail::plan_of<M>.nodes[detail::array_size(node)].modes, active);
+    return detail::has_mode(detail::plan_of<M>.nodes[detail::array_size(node)].members, active);
   }
   bool has_part(int number) const {
-    return detail::has_mode(detail::plan_of<M>.parts[detail::array_size(number)].modes, active);
+    return detail::has_mode(detail::plan_of<M>.parts[detail::array_size(number)].members, active);
   }
   void check_part(const char* call, int number) const {
     if (!has_part(number)) names::refuse_part(call, number, mode());

@@ -20,14 +20,14 @@ inline constexpr mode_view view_of_mode =
 // The modes that have a node of mode I.
 template <class M, int I>
 constexpr mode_set modes_with(int node) {
-  return plan_of<M>.nodes[array_size(shared_nodes<M, I>[array_size(node)])].modes;
+  return plan_of<M>.nodes[array_size(shared_nodes<M, I>[array_size(node)])].members;
 }
 // The modes that have an output. What is taken from a queue only those that observe it have.
 template <class M, int I>
 constexpr mode_set modes_with_output(int output) {
   const auto& plan = plan_of<mode_key<M, I>>;
   const auto& out = plan.outputs[array_size(output)];
-  if (out.is_taken) return plan_of<M>.outputs[array_size(view_of_mode<M, I>.shared_output(output))].modes;
+  if (out.is_taken) return plan_of<M>.outputs[array_size(view_of_mode<M, I>.shared_output(output))].members;
   return modes_with<M, I>(plan.calls[array_size(out.call)].node);
 }
 // May a component of a graph ask for a mode?
@@ -94,7 +94,7 @@ template <class M>
 constexpr bool is_passing(int queue) {
   if (queue < 0) return false;
   const input& in = plan_of<M>.inputs[array_size(queue)];
-  return in.modes != every_mode<M> && !plan_of<M>.calls[array_size(in.call)].elsewhere;
+  return in.members != every_mode<M> && !plan_of<M>.calls[array_size(in.call)].elsewhere;
 }
 template <class M, int I>
 struct passing_queue {
@@ -139,7 +139,7 @@ struct mode_switch {
     });
     if constexpr (parts_kept<M> > 0)
       for (int p = 0; p < parts_kept<M>; ++p)
-        if (!has_mode(plan_of<M>.parts[array_size(p)].modes, next)) state.parts[array_size(p)] = {};
+        if (!has_mode(plan_of<M>.parts[array_size(p)].members, next)) state.parts[array_size(p)] = {};
   }
 
   // ---- from the last mode to I ----
@@ -148,7 +148,7 @@ struct mode_switch {
   void enter(int last, [[maybe_unused]] std::int64_t k, [[maybe_unused]] std::int64_t beat, bool is_started) {
     if constexpr (parts_kept<M> > 0)
       for (int p = 0; p < parts_kept<M>; ++p)
-        if (!has_mode(plan_of<M>.parts[array_size(p)].modes, last)) come(p, k);
+        if (!has_mode(plan_of<M>.parts[array_size(p)].members, last)) come(p, k);
     for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
       if (!has_mode(modes_with_output<M, I>(Output), last)) begin_anew<Output>(beat);
     });
@@ -157,14 +157,14 @@ struct mode_switch {
     });
     for_each<counts.input_count, passing_queue<M, I>>([&]<int Input>() {
       constexpr int queue = queues_of_mode<M, I>.queues[array_size(Input)];
-      if (!has_mode(plan_of<M>.inputs[array_size(queue)].modes, last)) {
+      if (!has_mode(plan_of<M>.inputs[array_size(queue)].members, last)) {
         constexpr place at = layout_of<M>.sources[queue];
         sample_in<M, at.array>(state, at.index).forget();
       }
     });
     for_each<counts.input_count, passing_way<M, I>>([&]<int Way>() {
       constexpr int way = queues_of_mode<M, I>.ways[array_size(Way)];
-      if (!has_mode(plan_of<M>.inputs[array_size(way)].modes, last)) { forget_way<way>(state, beat); }
+      if (!has_mode(plan_of<M>.inputs[array_size(way)].members, last)) { forget_way<way>(state, beat); }
     });
     if (is_started)
       for_each<counts.node_count, hook<true>>([&]<int Node>() {

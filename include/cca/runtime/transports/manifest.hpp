@@ -62,7 +62,7 @@ std::string manifest_of() {
          << (environments_of<D>::all[array_size(e)].is_free_running ? ", free-running\n" : "\n");
   for (int n = 0; n < g.node_count; ++n)
     text << "node " << path_of_node<D>(n) << ": " << g.nodes[n].item->component->name() << ", strategy "
-         << g.nodes[n].item->strategy_key << ", in environment " << g.nodes[n].environment << '\n';
+         << g.nodes[n].item->strategy_key << ", in environment " << g.nodes[n].place << '\n';
   for (int p = 0; p < g.part_count; ++p) text << "part " << path_of_part<D>(p) << " may be stopped\n";
   for (int r = 0; r < g.request_count; ++r)
     text << "component " << path_of_node<D>(g.calls[g.requests[r].call].node)

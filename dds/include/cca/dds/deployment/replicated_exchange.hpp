@@ -118,7 +118,7 @@ private:
     const space_schema schema(*port.space);
     std::string name = "cca/" + cca::detail::path_of_node<D>(node) + "." + std::string(port.name);
     std::ranges::replace(name, '.', '/');
-    return {cca::detail::plan_of<D>.nodes[node].environment,
+    return {cca::detail::plan_of<D>.nodes[node].place,
             name,
             "cca::sample_" + deployment_facts::as_text(schema.hash()),
             static_cast<std::size_t>(schema.field_count()),

@@ -34,8 +34,15 @@ constexpr rule_table make_rule_table(list<Rules...>) {
   return table;
 }
 
+// An event of a wing says which list is asked: its own.
 template <class Event>
-inline constexpr rule_table rules_for = make_rule_table<Event>(rules{});
+constexpr rule_table ask_rules() {
+  if constexpr (requires { typename Event::asked; })
+    return make_rule_table<Event>(typename Event::asked::type{});
+  else return make_rule_table<Event>(rules{});
+}
+template <class Event>
+inline constexpr rule_table rules_for = ask_rules<Event>();
 
 template <class Event>
 constexpr void check(flat_view& g, const finding& facts) {

@@ -1,5 +1,5 @@
-// All rules of graphs. Of the rules that an event of a step breaks, the first in this list is reported; the
-// pages list them in this order. CONTRIBUTING.md says how to add one.
+// All rules of graphs; a wing has a list of its own. Of the rules that an event of a step breaks, the first
+// in this list is reported; the pages list them in this order. CONTRIBUTING.md says how to add one.
 #pragma once
 
 #include <cca/graph/diagnosis/rules/commands/robot_unlimited_command.hpp>
@@ -15,18 +15,6 @@
 #include <cca/graph/diagnosis/rules/components/part_unknown_path.hpp>
 #include <cca/graph/diagnosis/rules/components/skeleton_arity.hpp>
 #include <cca/graph/diagnosis/rules/components/space_duplicate_axis.hpp>
-#include <cca/graph/diagnosis/rules/deployment/deployment_bad_environment.hpp>
-#include <cca/graph/diagnosis/rules/deployment/deployment_free_running.hpp>
-#include <cca/graph/diagnosis/rules/deployment/deployment_placed_twice.hpp>
-#include <cca/graph/diagnosis/rules/deployment/deployment_undelayed.hpp>
-#include <cca/graph/diagnosis/rules/deployment/deployment_unknown_node.hpp>
-#include <cca/graph/diagnosis/rules/deployment/deployment_unplaced.hpp>
-#include <cca/graph/diagnosis/rules/modes/modes_bad_mode.hpp>
-#include <cca/graph/diagnosis/rules/modes/modes_command_jumps.hpp>
-#include <cca/graph/diagnosis/rules/modes/modes_missing_robot.hpp>
-#include <cca/graph/diagnosis/rules/modes/modes_two_rates.hpp>
-#include <cca/graph/diagnosis/rules/modes/modes_two_types.hpp>
-#include <cca/graph/diagnosis/rules/modes/modes_unknown_mode.hpp>
 #include <cca/graph/diagnosis/rules/observers/observe_bad_policy.hpp>
 #include <cca/graph/diagnosis/rules/observers/observe_nothing.hpp>
 #include <cca/graph/diagnosis/rules/observers/plan_unknown_path.hpp>
@@ -90,19 +78,7 @@ using rules = list<
     strategy_coordination,
     space_missing_limits,
     robot_unlimited_command,
-    latency_exceeded,
-    deployment_bad_environment,
-    deployment_unknown_node,
-    deployment_unplaced,
-    deployment_placed_twice,
-    deployment_free_running,
-    deployment_undelayed,
-    modes_bad_mode,
-    modes_two_rates,
-    modes_two_types,
-    modes_missing_robot,
-    modes_unknown_mode,
-    modes_command_jumps
+    latency_exceeded
 >;
 // clang-format on
 

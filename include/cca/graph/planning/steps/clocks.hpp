@@ -38,7 +38,7 @@ constexpr bool is_asked(const call& t) { return t.irregular || t.open_clock; }
 
 constexpr flat_view find_clocks(flat_view g) {
   // First the clocks that depend on no arrivals: a delayed wire may lead back to an earlier function.
-  // What comes from another environment may come late, and from a free-running one at any time.
+  // What another loop publishes may come late, and what has no beat at any time.
   const auto set = [&](int c, clock found) {
     auto& t = g.calls[c];
     t.own_clock = found;

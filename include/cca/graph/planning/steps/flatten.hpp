@@ -129,6 +129,7 @@ struct flattener {
       if (part.kind == item_kind::unknown) check<when::any_item>(g, facts);
       if (part.kind != item_kind::node && part.kind != item_kind::graph) continue;
       check<when::named_node>(g, facts);
+      if (facts.item->inner && facts.item->inner->refuse_as_node) facts.item->inner->refuse_as_node(g, facts);
       const auto node_hash = path_hash(g.scopes[index], part.from, part.from_hash);
       if (!names.add(node_hash ^ as_node, 0)) check<when::repeated_name>(g, facts);
       if (part.kind == item_kind::node) {

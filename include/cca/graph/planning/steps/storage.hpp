@@ -5,7 +5,7 @@
 //   of_beat   only read in the beat in which they were published: where the component returned them
 //   newest    some reader may come in a later beat: the newest one
 //   past      some reader has a delay of more than a beat: the last ones
-//   arriving  its writer runs in another environment: the last ones that came
+//   arriving  another loop runs its writer: the last ones that came
 #pragma once
 
 #include <cca/graph/plan/flat.hpp>

@@ -12,14 +12,14 @@ namespace cca::detail {
 template <class D, int E>
 constexpr bool has_part(int number) {
   for (int n = 0; n < counts_of<D>.node_count; ++n)
-    if (plan_of<D>.nodes[array_size(n)].environment == E && is_in_part<D>(n, number)) return true;
+    if (plan_of<D>.nodes[array_size(n)].place == E && is_in_part<D>(n, number)) return true;
   return false;
 }
 // All nodes of a part are in this environment.
 template <class D>
 constexpr bool is_part_of(int number, int environment) {
   for (int n = 0; n < counts_of<D>.node_count; ++n)
-    if (is_in_part<D>(n, number) && plan_of<D>.nodes[array_size(n)].environment != environment) return false;
+    if (is_in_part<D>(n, number) && plan_of<D>.nodes[array_size(n)].place != environment) return false;
   return true;
 }
 template <class D>
@@ -27,7 +27,7 @@ constexpr bool asks_for_part(int environment, int number) {
   for (int r = 0; r < counts_of<D>.request_count; ++r) {
     const auto& request = plan_of<D>.requests[array_size(r)];
     const int node = plan_of<D>.calls[array_size(request.call)].node;
-    if (request.part == number && plan_of<D>.nodes[array_size(node)].environment == environment) return true;
+    if (request.part == number && plan_of<D>.nodes[array_size(node)].place == environment) return true;
   }
   return false;
 }
@@ -57,8 +57,7 @@ template <DeploymentOfModes D>
 constexpr bool asks_for_modes(int environment) {
   for (int c = 0; c < counts_of<D>.call_count; ++c)
     if (const auto& one = plan_of<D>.calls[array_size(c)];
-        one.function->requested_count > 0 &&
-        plan_of<D>.nodes[array_size(one.node)].environment == environment)
+        one.function->requested_count > 0 && plan_of<D>.nodes[array_size(one.node)].place == environment)
       return true;
   return false;
 }
@@ -87,7 +86,7 @@ constexpr bool is_spread_part(int number) {
   int first = -1;
   for (int n = 0; n < counts_of<D>.node_count; ++n)
     if (is_in_part<D>(n, number)) {
-      const int environment = plan_of<D>.nodes[array_size(n)].environment;
+      const int environment = plan_of<D>.nodes[array_size(n)].place;
       if (first >= 0 && environment != first) return true;
       first = environment;
     }

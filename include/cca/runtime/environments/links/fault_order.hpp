@@ -106,7 +106,7 @@ inline constexpr auto fault_order_of = [] {
       ++here;
     }
     if (may_fault_in(g, c)) order.last[array_size(environment)] = entries + r + 1;
-    for (int x = 0; x < g.environment_count; ++x)
+    for (int x = 0; x < placement_in(g).count; ++x)
       if (x != environment && may_be_rejected_in(g, g.order[r], x)) {
         order.last[array_size(x)] = entries + r + 1;
         if (x == E) order.enters_before[array_size(r)] = static_cast<int>(here);

@@ -14,7 +14,7 @@ class asked_of_loop {
 public:
   // To a recorder, if this environment has the first node of a part.
   void tell_part(int part, bool stops, bool requested, std::int64_t from) noexcept {
-    if (plan_of<D>.nodes[array_size(first_node_of_part<D>(part))].environment == E)
+    if (plan_of<D>.nodes[array_size(first_node_of_part<D>(part))].place == E)
       loop().state.observers().part_changed(part, stops, requested, from);
   }
 

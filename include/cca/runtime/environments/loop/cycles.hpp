@@ -109,7 +109,7 @@ private:
       if constexpr (parts_kept<Part> > 0 || DeploymentOfModes<D>) {
         rests = true;
         for (const component_node& node : plan_of<Part>.nodes)
-          rests = rests && (!node.item || node.environment != E || is_resting<Part>(node.part));
+          rests = rests && (!node.item || node.place != E || is_resting<Part>(node.part));
       }
     });
     return rests;
@@ -189,7 +189,7 @@ private:
 
   static mode_set modes_of_output(int o) {
     const auto& out = plan_of<D>.outputs[array_size(o)];
-    return out.is_taken ? out.modes : plan_of<D>.nodes[array_size(node_of_output<D>(o))].modes;
+    return out.is_taken ? out.modes : plan_of<D>.nodes[array_size(node_of_output<D>(o))].members;
   }
   // Those before the newest of each output that queues take.
   void tell_gathered() noexcept {

@@ -107,8 +107,8 @@ public:
     if (loop_tap* const tap = loop().state.observers().tap; tap && tells_mode)
       tap->switched(mode(), false, next);
   }
-  bool has_part_now(int part) const { return has_mode(plan_of<D>.parts[array_size(part)].modes, mode()); }
-  bool has_node_now(int node) const { return has_mode(plan_of<D>.nodes[array_size(node)].modes, mode()); }
+  bool has_part_now(int part) const { return has_mode(plan_of<D>.parts[array_size(part)].members, mode()); }
+  bool has_node_now(int node) const { return has_mode(plan_of<D>.nodes[array_size(node)].members, mode()); }
 
 protected:
   template <class Part>

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/deployment/environments.hpp>
 #include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/environments/waiting/lost_contact.hpp>
 #include <cca/runtime/pace.hpp>

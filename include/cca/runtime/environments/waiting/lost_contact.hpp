@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include <cca/base/array_size.hpp>
-#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/deployment/environments.hpp>
 #include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/pace.hpp>
 

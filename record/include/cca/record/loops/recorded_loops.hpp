@@ -107,7 +107,7 @@ struct recorded_loops<deployed<D>> {
     std::vector<bool> nodes(cca::detail::array_size(cca::detail::counts_of<D>.node_count), false);
     d.for_each_tap([&]<int E>(auto&) {
       for (std::size_t n = 0; n < nodes.size(); ++n)
-        if (cca::detail::plan_of<D>.nodes[n].environment == E) nodes[n] = true;
+        if (cca::detail::plan_of<D>.nodes[n].place == E) nodes[n] = true;
     });
     return nodes;
   }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include <cca/graph/deployment/environments.hpp>
 #include <cca/graph/items/modes.hpp>
 #include <cca/runtime/stoppable_parts.hpp>
 #include <cca/runtime/each_component.hpp>
@@ -69,8 +70,8 @@ std::map<std::string, std::string> places_of() {
   const cca::detail::flat_view g = plan.view();
   std::map<std::string, std::string> places;
   for (int n = 0; n < g.node_count; ++n)
-    if (const int e = g.nodes[n].environment; e >= 0 && e < g.environment_count)
-      places[cca::detail::path_of_node<Graph>(n)] = std::string(g.environments[e].name);
+    if (const int e = g.nodes[n].place; e >= 0)
+      places[cca::detail::path_of_node<Graph>(n)] = std::string(cca::detail::environment_in(g, e).name);
   return places;
 }
 

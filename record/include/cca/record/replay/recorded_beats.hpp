@@ -137,7 +137,7 @@ private:
   }();
   static int environment_of(int output) {
     return cca::detail::plan_of<Graph>.nodes[cca::detail::array_size(cca::detail::node_of_output<Graph>(output))]
-        .environment;
+        .place;
   }
   // A file that does not say it has all of them.
   void find_environments([[maybe_unused]] const mcap_reader& whole) {

@@ -22,11 +22,7 @@ struct component_no_process {
           << " is a lambda, which has no `process` from which its ports could be read: write a struct whose "
              "`process` does what the lambda does, as in `struct gait { auto process(cca::in<...>) -> "
              "cca::out<...>; };`; what it captures becomes members and parameters";
-    else if (c.is_set_of_modes)
-      m.say()
-          << " is a set of modes, which is no node: a mode holds the whole architecture, so put the other "
-             "nodes of "
-          << m.graph().name << " into its modes, and give the set to a controller or a deployment";
+    else if (!c.instead.before.empty()) m.say() << c.instead.before << m.graph().name << c.instead.after;
     else if (!c.process && !c.resource())
       m.say()
           << " has no `process` from which its ports could be read: give it one, public, neither overloaded "

@@ -15,9 +15,8 @@ struct part_unknown_path {
     m.at_node();
     m.node();
     m.say() << " stops or starts `" << wanted << "`, ";
-    if (m.found().in_mode >= 0) {
-      m.say() << "but not every mode that has this node lets it be stopped: give it cca::stoppable<...> in "
-                 "all of them";
+    if (!m.found().why.empty()) {
+      m.say() << m.found().why;
       return;
     }
     if (const auto found = find_named(m.g, m.found().scope, wanted); found.is_there) {

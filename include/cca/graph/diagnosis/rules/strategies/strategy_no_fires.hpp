@@ -16,8 +16,7 @@ struct strategy_no_fires {
     m.at_node();
     m.node();
     m.say() << " has the strategy `" << m.item().unknown_type << "`, which cannot say when it fires: ";
-    if (m.item().unknown_type.ends_with("free_running"))
-      m.say() << "it is an option of an environment; the nodes in that are cca::full_speed";
+    if (!m.item().instead.empty()) m.say() << m.item().instead;
     else
       m.say() << "use one like cca::timed<10> or cca::moderate, or give it `template <class Inputs> static "
                  "bool fires(cca::beat, const Inputs&)` (not static if it has a state) and a constructor "

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cca/graph/diagnosis/nearest_node.hpp>
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/deployment/placement_events.hpp>
 
 namespace cca::detail {
 
@@ -14,13 +14,22 @@ struct deployment_unknown_node {
   static constexpr void tell(auto& m) {
     const auto path = m.found().name;
     m.where << path;
-    m.environment(m.found().environment);
+    m.environment(environment_of(m.found()));
     m.say() << " names `" << path << "`, but ";
     if (m.deployment().mode.empty()) m.say() << m.graph().name << " has no such node";
     else m.say() << "no mode of " << m.deployment().name << " has such a node";
-    const text best = m.g.modes ? nearest_node(*m.g.modes, path) : nearest_node(m.g, path);
-    if (best.size > 0) m.say() << "; did you mean `" << best.view() << "`?";
+    if (const text best = nearest(m.g, path); best.size > 0)
+      m.say() << "; did you mean `" << best.view() << "`?";
     else m.say() << ": write the path of a component or of an inner graph, as in `skills.gait`";
+  }
+
+private:
+  static constexpr text nearest(const flat_view& g, std::string_view path) {
+    node_search search{path};
+    if (const auto* const all = placement_in(g).modes)
+      for (int i = 0; i < all->count; ++i) search.look_in(*all->modes[i].plan);
+    else search.look_in(g);
+    return search.nearest;
   }
 };
 

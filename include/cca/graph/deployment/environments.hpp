@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include <cca/base/array_size.hpp>
+#include <cca/graph/diagnosis/message_writer.hpp>
 #include <cca/graph/items/deployment.hpp>
 #include <cca/graph/plan/items.hpp>
 
@@ -189,12 +190,55 @@ inline constexpr deployment_info facts_of_deployment = [] {
   return info;
 }();
 
+// What a deployment hangs on its plan, and on those of its modes and environments.
+struct deployment_placement : hung_facts {
+  constexpr deployment_placement(const environment_info* first,
+                                 int number,
+                                 const deployment_info* of,
+                                 const modes_info* whole_set = nullptr)
+      : environments(first), count(number), deployment(of), modes(whole_set) {}
+  const environment_info* environments;
+  int count;
+  const deployment_info* deployment;
+  const modes_info* modes;  // the whole set, where the plan is that of one mode
+};
+template <Deployment D>
+inline constexpr deployment_placement placement_of{environments_of<D>::all.data(), environment_count<D>,
+                                                   &facts_of_deployment<D>};
+
+// Of a plan that is spread over environments.
+constexpr const deployment_placement& placement_in(const flat_view& g) {
+  return static_cast<const deployment_placement&>(*g.hung);
+}
+constexpr const environment_info& environment_in(const flat_view& g, int environment) {
+  return placement_in(g).environments[environment];
+}
+constexpr int environment_of(const flat_view& g, int call) { return place_of(g, call); }
+
+// Inside of a graph its environments would be ignored.
+template <Deployment D>
+struct deployment_as_node {
+  static constexpr void refuse(flat_view& g, const finding& facts) {
+    if (g.found.is_broken()) return;
+    g.found = facts;
+    g.found.rule = "deployment.bad_environment";
+    g.found.tell = &tell;
+  }
+  static constexpr void tell(message_writer& m) {
+    m.at_node();
+    m.say() << "`" << m.where.view() << "` is the deployment " << facts_of_deployment<D>.name
+            << ", but inside of a graph its environments would be ignored: make it a node of the "
+               "architecture, "
+            << m.item().inner->name << ", and deploy the graph around it";
+  }
+};
+
 // As a graph it is called like its architecture, in which its nodes and wires are written.
 template <Deployment D>
 struct graph_facts<D> {
   static constexpr graph_info value = [] {
     graph_info info = graph_facts<typename D::cca_architecture>::value;
-    info.deployment = &facts_of_deployment<D>;
+    info.refuse_as_node = &deployment_as_node<D>::refuse;
     return info;
   }();
 };

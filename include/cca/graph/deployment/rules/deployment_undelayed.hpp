@@ -3,8 +3,8 @@
 // known only where the queue is.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
-#include <cca/graph/diagnosis/rules/deployment/deployment_free_running.hpp>
+#include <cca/graph/deployment/placement_events.hpp>
+#include <cca/graph/deployment/rules/deployment_free_running.hpp>
 
 namespace cca::detail {
 
@@ -22,7 +22,7 @@ struct deployment_undelayed {
   static constexpr void tell(auto& m) {
     const auto& in = m.g.inputs[m.found().input];
     const auto& out = m.g.outputs[m.found().output];
-    const auto environment_of = [&](int call) { return m.g.nodes[m.g.calls[call].node].environment; };
+    const auto environment_of = [&](int call) { return m.g.nodes[m.g.calls[call].node].place; };
     if (in.shows >= 0 && environment_of(m.g.inputs[in.shows].call) != environment_of(in.call)) {
       m.at_node();
       m.node();
@@ -74,11 +74,10 @@ struct deployment_undelayed {
 private:
   // Of a set of modes, what it runs in the others is not known here.
   static constexpr bool may_be_free(const flat_view& g, int environment) {
-    if (environment == 0 || !g.scopes[0].graph->deployment->mode.empty()) return false;
+    if (environment == 0 || !placement_in(g).deployment->mode.empty()) return false;
     for (int n = 0; n < g.node_count; ++n)
-      if (g.nodes[n].environment == environment &&
-          (g.nodes[n].item->component->resource() ||
-           !deployment_free_running::is_full_speed(*g.nodes[n].item)))
+      if (g.nodes[n].place == environment && (g.nodes[n].item->component->resource() ||
+                                              !deployment_free_running::is_full_speed(*g.nodes[n].item)))
         return false;
     return true;
   }
@@ -105,7 +104,7 @@ private:
     m.say() << ", or place its parts in one environment";
   }
   static constexpr bool is_free(const flat_view& g, int call) {
-    return g.environments[g.nodes[g.calls[call].node].environment].is_free_running;
+    return environment_in(g, place_of(g, call)).is_free_running;
   }
 };
 

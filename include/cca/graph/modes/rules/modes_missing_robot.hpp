@@ -2,7 +2,7 @@
 // neither driven nor stopped.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/modes/events_of_modes.hpp>
 
 namespace cca::detail {
 
@@ -18,9 +18,9 @@ struct modes_missing_robot {
     m.say() << "the resource node ";
     m.node();
     m.say() << " is in ";
-    m.mode(m.found().in_mode);
+    m.mode(in_mode(m.found()));
     m.say() << " but not in ";
-    m.mode(m.found().other_mode);
+    m.mode(other_mode(m.found()));
     m.say() << ", so after a switch nothing would command it or go on stopping it: put it into every mode, "
                "under the same path";
   }

@@ -2,7 +2,7 @@
 // way. The limiter goes on from its last command, so at a switch no command jumps.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/modes/events_of_modes.hpp>
 
 namespace cca::detail {
 
@@ -16,21 +16,21 @@ struct modes_command_jumps {
     m.at_node();
     m.where << "." << f.name;
     m.say() << "`" << m.where.view() << "` gets its commands ";
-    if (f.output >= 0 && f.output == f.other_output) {
+    if (f.output >= 0 && f.output == other_output(f)) {
       m.say() << "from ";
       m.port(m.g.outputs[f.output]);
       m.say() << " in ";
-      m.mode(f.in_mode);
+      m.mode(in_mode(f));
       m.say() << " and in ";
-      m.mode(f.other_mode);
+      m.mode(other_mode(f));
       m.say()
           << ", but by wires of different delay or queue, so at a switch they could jump: give both wires "
              "the same policy";
       return;
     }
-    from(m, f.output, f.in_mode);
+    from(m, f.output, in_mode(f));
     m.say() << " but ";
-    from(m, f.other_output, f.other_mode);
+    from(m, other_output(f), other_mode(f));
     m.say()
         << ", so at a switch they could jump: put one cca::limiter in front of it that both modes have, of "
            "the same path and type; it goes on from its last command, at most at the rates of the axes";

@@ -1,7 +1,7 @@
 // modes.two_rates: a beat is as long in every mode.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/modes/events_of_modes.hpp>
 
 namespace cca::detail {
 
@@ -9,16 +9,18 @@ struct modes_two_rates {
   static constexpr std::string_view id = "modes.two_rates";
 
   static constexpr bool is_broken(when::known_rate_of_mode, const flat_view& g, const finding& f) {
-    return g.modes->modes[f.in_mode].plan->period != g.modes->modes[f.other_mode].plan->period;
+    return modes_in_plan(g).modes[in_mode(f)].plan->period !=
+           modes_in_plan(g).modes[other_mode(f)].plan->period;
   }
 
   static constexpr void tell(auto& m) {
-    m.where << m.g.modes->name;
-    m.mode(m.found().in_mode);
-    m.say() << " of " << m.g.modes->name << " runs at " << m.rate_of(m.found().in_mode) << " Hz but ";
-    m.mode(m.found().other_mode);
+    m.where << modes_in_plan(m.g).name;
+    m.mode(in_mode(m.found()));
+    m.say() << " of " << modes_in_plan(m.g).name << " runs at " << m.rate_of(in_mode(m.found()))
+            << " Hz but ";
+    m.mode(other_mode(m.found()));
     m.say()
-        << " at " << m.rate_of(m.found().other_mode)
+        << " at " << m.rate_of(other_mode(m.found()))
         << " Hz: all modes share the beat, so give both graphs the same cca::rate<...>, and what is slower "
            "a cca::timed<N>";
   }

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/modes/events_of_modes.hpp>
 
 namespace cca::detail {
 
@@ -11,11 +11,11 @@ struct modes_unknown_mode {
   static constexpr std::string_view id = "modes.unknown_mode";
 
   static constexpr bool is_broken(when::requested_mode, const flat_view& g, const finding& f) {
-    return g.modes->number_of(f.name) < 0;
+    return modes_in_plan(g).number_of(f.name) < 0;
   }
 
   static constexpr void tell(auto& m) {
-    const auto& all = *m.g.modes;
+    const auto& all = modes_in_plan(m.g);
     m.at_node();
     m.node();
     m.say() << " returns a cca::switch_to<`" << m.found().name << "`>, but " << all.name

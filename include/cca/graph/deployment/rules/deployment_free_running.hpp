@@ -2,7 +2,7 @@
 // each mode; and the first environment, which gives the beat, is not free-running.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/deployment/placement_events.hpp>
 
 namespace cca::detail {
 
@@ -10,7 +10,7 @@ struct deployment_free_running {
   static constexpr std::string_view id = "deployment.free_running";
 
   static constexpr bool is_broken(when::stated_environment, const flat_view& g, const finding& f) {
-    return f.environment == 0 && g.environments[0].is_free_running;
+    return environment_of(f) == 0 && environment_in(g, 0).is_free_running;
   }
   static constexpr bool is_broken(when::free_node, const flat_view&, const finding& f) {
     return !is_full_speed(*f.item);
@@ -18,7 +18,7 @@ struct deployment_free_running {
 
   static constexpr void tell(auto& m) {
     if (!m.found().item) {
-      m.where << m.g.environments[0].name;
+      m.where << environment_in(m.g, 0).name;
       m.environment(0);
       m.say() << " is the first of " << m.deployment().name
               << ", which gives the beat, but a cca::free_running one has none: put the environment of the "
@@ -29,7 +29,7 @@ struct deployment_free_running {
     m.node();
     m.of_mode();
     m.say() << " runs in ";
-    m.environment(m.found().environment);
+    m.environment(environment_of(m.found()));
     m.say() << ", whose cycles begin without pause, but its strategy is ";
     strategy_of_call(m.g, m.g.calls[m.g.nodes[m.found().component].first_call]).add_name(m.say());
     m.say() << ": write cca::node<`" << m.item().from << "`, " << m.item().component->name()

@@ -1,7 +1,7 @@
 // deployment.unplaced: each component has an environment, in each mode.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/deployment/placement_events.hpp>
 
 namespace cca::detail {
 
@@ -9,7 +9,7 @@ struct deployment_unplaced {
   static constexpr std::string_view id = "deployment.unplaced";
 
   static constexpr bool is_broken(when::placed_node, const flat_view&, const finding& f) {
-    return f.environment < 0;
+    return environment_of(f) < 0;
   }
 
   static constexpr void tell(auto& m) {
@@ -18,7 +18,7 @@ struct deployment_unplaced {
     m.of_mode();
     m.say() << " runs in no environment of " << m.deployment().name
             << ": add its path to the cca::nodes<...> of "
-            << (m.g.environment_count == 1 ? "this environment" : "one of them")
+            << (placement_in(m.g).count == 1 ? "this environment" : "one of them")
             << ", or give one cca::other_nodes";
   }
 };

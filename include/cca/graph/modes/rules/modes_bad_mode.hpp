@@ -1,7 +1,7 @@
 // modes.bad_mode: a set of modes has two or more, each a graph with a name of its own.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/modes/events_of_modes.hpp>
 
 namespace cca::detail {
 
@@ -9,18 +9,18 @@ struct modes_bad_mode {
   static constexpr std::string_view id = "modes.bad_mode";
 
   static constexpr bool is_broken(when::stated_modes, const flat_view& g, const finding&) {
-    return g.modes->count < 2 || g.modes->count > most_modes;
+    return modes_in_plan(g).count < 2 || modes_in_plan(g).count > most_modes;
   }
   static constexpr bool is_broken(when::stated_mode, const flat_view& g, const finding& f) {
-    const auto& one = g.modes->modes[f.in_mode];
+    const auto& one = modes_in_plan(g).modes[in_mode(f)];
     return !one.is_mode || one.is_deployment || one.is_set || !is_name(one.name) ||
-           g.modes->number_of(one.name) != f.in_mode;
+           modes_in_plan(g).number_of(one.name) != in_mode(f);
   }
 
   static constexpr void tell(auto& m) {
-    const auto& all = *m.g.modes;
+    const auto& all = modes_in_plan(m.g);
     m.where << all.name;
-    if (m.found().in_mode < 0) {
+    if (in_mode(m.found()) < 0) {
       m.say() << all.name << " has " << all.count << (all.count == 1 ? " mode" : " modes");
       if (all.count < 2)
         m.say()
@@ -29,7 +29,7 @@ struct modes_bad_mode {
       else m.say() << ", but it may have at most " << most_modes << ": make it smaller";
       return;
     }
-    const auto& one = all.modes[m.found().in_mode];
+    const auto& one = all.modes[in_mode(m.found())];
     if (!one.is_mode) {
       m.say() << "`" << one.type << "` in " << all.name
               << " is no mode, so it would be ignored: write cca::mode<`name`, graph>";

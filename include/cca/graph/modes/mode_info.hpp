@@ -14,11 +14,15 @@ struct mode_info {
   bool is_mode = false, is_deployment = false, is_set = false;  // a set of modes again
 };
 
-struct modes_info {
-  std::string_view name{};
-  const mode_info* modes = nullptr;
-  int count = 0;
-  bool is_checked = false;  // it is the same set once more, of a deployment
+// What a set of modes hangs on its plan.
+struct modes_info : hung_facts {
+  constexpr modes_info(std::string_view set, const mode_info* all, int number, bool checked)
+      : name(set), modes(all), count(number), is_checked(checked) {}
+
+  std::string_view name;
+  const mode_info* modes;
+  int count;
+  bool is_checked;  // it is the same set once more, of a deployment
 
   constexpr int number_of(std::string_view mode) const {
     for (int m = 0; m < count; ++m)
@@ -26,6 +30,10 @@ struct modes_info {
     return -1;
   }
 };
+
+constexpr const modes_info& modes_in_plan(const flat_view& g) {
+  return static_cast<const modes_info&>(*g.hung);
+}
 
 // A bit for each mode that has a node or a queue.
 using mode_set = std::uint64_t;

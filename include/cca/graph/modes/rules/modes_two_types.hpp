@@ -1,7 +1,7 @@
 // modes.two_types: a path names the same component in every mode that has it.
 #pragma once
 
-#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/modes/events_of_modes.hpp>
 
 namespace cca::detail {
 
@@ -20,9 +20,9 @@ struct modes_two_types {
   static constexpr void tell(auto& m) {
     m.at_node();
     m.say() << "`" << m.where.view() << "` is " << m.item().component->name() << " in ";
-    m.mode(m.found().in_mode);
+    m.mode(in_mode(m.found()));
     m.say() << " but " << m.found().name << " in ";
-    m.mode(m.found().other_mode);
+    m.mode(other_mode(m.found()));
     m.say() << (m.item().component->resource()
                     ? ": the modes of a set run on one robot, so give it one type in all of them"
                     : ": modes share what is at a path, its state and its parameters, so give one of them "
