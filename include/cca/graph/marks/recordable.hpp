@@ -1,4 +1,4 @@
-// cca::recordable: a base of a graph, a deployment or a set of modes that may be recorded.
+// cca::recordable: a base of what a controller runs, of a graph for example, that may be recorded.
 //
 //   struct trot : cca::graph<...>, cca::recordable {};
 //

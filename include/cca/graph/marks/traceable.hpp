@@ -1,4 +1,4 @@
-// cca::traceable: a base of a graph, a deployment or a set of modes whose beats may be traced.
+// cca::traceable: a base of what a controller runs, of a graph for example, whose beats may be traced.
 //
 //   struct trot : cca::graph<...>, cca::traceable {};
 //
