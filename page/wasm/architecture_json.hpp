@@ -11,6 +11,7 @@
 
 #include <string>
 
+#include <cca/graph/deployment/environments.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/space/space_schema.hpp>
 
@@ -56,7 +57,8 @@ void add_architecture(json_text& json, std::string_view title) {
   const detail::flat_view g = plan.view();
   json.key("name").add(title).key("period").add(g.period);
   json.key("environments").open('[');
-  for (int e = 0; e < g.environment_count; ++e) json.add(g.environments[e].name);
+  for (int e = 0; g.is_spread && e < detail::placement_in(g).count; ++e)
+    json.add(detail::environment_in(g, e).name);
   json.close(']').key("nodes").open('[');
   for (int n = 0; n < g.node_count; ++n) {
     json.open('{')
@@ -67,7 +69,7 @@ void add_architecture(json_text& json, std::string_view title) {
         .key("when")
         .add(when(g, n))
         .key("environment")
-        .add(g.nodes[n].environment);
+        .add(g.nodes[n].place);
     if (const auto& fires = g.calls[g.nodes[n].first_call].fires; fires.known())
       json.key("clock").open('{').key("period").add(fires.period).key("first").add(fires.first).close('}');
     json.close('}');
