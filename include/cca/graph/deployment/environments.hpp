@@ -9,6 +9,7 @@
 #include <cca/base/array_size.hpp>
 #include <cca/graph/diagnosis/message_writer.hpp>
 #include <cca/graph/items/deployment.hpp>
+#include <cca/graph/modes/mode_info.hpp>
 #include <cca/graph/plan/items.hpp>
 
 namespace cca {
