@@ -152,8 +152,7 @@ struct joint_field {
 };
 
 // `root`: of the base, with gravity taken from its acceleration. Without `Angles` only the derivatives by the
-// velocities and the mass matrix. The loads are then not set, and not read either: g++ 12 refuses to read
-// their default values in the second of two bodies.
+// velocities and the mass matrix. The loads are then not set, and not read either (docs/compilers.md).
 template <int Size, bool Angles = true, class S, std::size_t Count, class Vector>
 constexpr torque_derivatives<S, Size> differentiated_torques(const reduced_body<Count>& b,
                                                              const std::array<placed_joint<S>, Count>& joints,
