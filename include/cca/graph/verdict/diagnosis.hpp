@@ -83,9 +83,9 @@ consteval Report make_report() {
     if constexpr (constexpr auto tell = counts_of<Type>.found.tell; tell != nullptr) {
       tell(m);
     } else {
-      using rules = typename told_of<Type>::rules;
-      constexpr auto number = number_of_rule(broken_by<Type>(), rules{});
-      using rule = std::remove_pointer_t<std::tuple_element_t<number, decltype(as_tuple(rules{}))>>;
+      using all = typename told_of<Type>::rules;
+      constexpr auto number = number_of_rule(broken_by<Type>(), all{});
+      using rule = std::remove_pointer_t<std::tuple_element_t<number, decltype(as_tuple(all{}))>>;
       rule::tell(m);
     }
     r = {m.where, m.message};
