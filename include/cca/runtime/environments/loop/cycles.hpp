@@ -189,7 +189,7 @@ private:
 
   static mode_set modes_of_output(int o) {
     const auto& out = plan_of<D>.outputs[array_size(o)];
-    return out.is_taken ? out.modes : plan_of<D>.nodes[array_size(node_of_output<D>(o))].members;
+    return out.is_taken ? out.members : plan_of<D>.nodes[array_size(node_of_output<D>(o))].members;
   }
   // Those before the newest of each output that queues take.
   void tell_gathered() noexcept {
