@@ -303,12 +303,6 @@ inline long own_kilobytes() {
   return 0;
 }
 
-// A reader that stops costs the writer neither beats nor memory: while it stands still, the writer goes on
-// through 1000 beats. In the first 300 its buffers become full. After that a message that is kept in each
-// beat would be seen: of one topic that is at least 140 kB. A sanitizer keeps what was freed for a while.
-inline constexpr std::int64_t beats_to_fill = 300, beats_alone = 1000;
-inline constexpr long most_growth = CCA_SANITIZED ? 65536 : 64;
-
 template <class Deployed>
 std::string state_and_fault(const Deployed& d) {
   if (d.state() != cca::state::faulted) return std::string(cca::to_string(d.state()));
@@ -316,16 +310,25 @@ std::string state_and_fault(const Deployed& d) {
 }
 
 template <class Meeting>
+std::string runs_on_as_mind(const std::string& name) {
+  auto d = opened<Meeting, patient>("mind", name);
+  d.load();
+  d.start();
+  d.run(cca::without_end{}, cca::at_wall_clock());
+  return state_and_fault(d);
+}
+
+// A reader that stops costs the writer neither beats nor memory: while it stands still, the writer goes on
+// through 1000 beats. In the first 300 its buffers become full. After that a message that is kept in each
+// beat would be seen: of one topic that is at least 140 kB. A sanitizer keeps what was freed for a while.
+inline constexpr std::int64_t beats_to_fill = 300, beats_alone = 1000;
+inline constexpr long most_growth = CCA_SANITIZED ? 65536 : 64;
+
+template <class Meeting>
 void is_not_held_up_by_a_stopped_reader() {
   const std::string name = Meeting::other_name();
   const milestone both_run, stands, measured;
-  process mind([&] {
-    auto d = opened<Meeting, patient>("mind", name);
-    d.load();
-    d.start();
-    d.run(cca::without_end{}, cca::at_wall_clock());
-    return state_and_fault(d);
-  });
+  process mind([&] { return runs_on_as_mind<Meeting>(name); });
   process robot([&] {
     auto d = opened<Meeting, patient>("robot", name);
     d.load();
@@ -365,13 +368,7 @@ template <class Meeting>
 void goes_on_after_a_standstill() {
   const std::string name = Meeting::other_name();
   const milestone both_run, is_over;
-  process mind([&] {
-    auto d = opened<Meeting, patient>("mind", name);
-    d.load();
-    d.start();
-    d.run(cca::without_end{}, cca::at_wall_clock());
-    return state_and_fault(d);
-  });
+  process mind([&] { return runs_on_as_mind<Meeting>(name); });
   process robot([&] {
     auto d = opened<Meeting, patient>("robot", name);
     d.load();

@@ -149,11 +149,13 @@ private:
   void advance() noexcept {
     if constexpr (detail::is_always_probed<M>)
       with_mode(active, [this]<int I>() { this->template advance_replayed_in<I>(); });
-    else if constexpr (detail::Recordable<M>) {
-      if (state_of_all.is_observed())
-        with_mode(active, [this]<int I>() { this->template advance_in<I, detail::probed<part<I>>>(); });
-      else with_mode(active, [this]<int I>() { this->template advance_in<I, part<I>>(); });
-    } else with_mode(active, [this]<int I>() { this->template advance_in<I, part<I>>(); });
+    else {
+      if constexpr (detail::Recordable<M>)
+        if (state_of_all.is_observed())
+          return with_mode(active,
+                           [this]<int I>() { this->template advance_in<I, detail::probed<part<I>>>(); });
+      with_mode(active, [this]<int I>() { this->template advance_in<I, part<I>>(); });
+    }
   }
 
   // `Key`: the mode, or its second beat, which tells a recorder.
