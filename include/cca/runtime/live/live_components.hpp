@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include <cca/graph/deployment/environments.hpp>
 #include <cca/graph/items/modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/live/ordered.hpp>
