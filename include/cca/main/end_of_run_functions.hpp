@@ -2,8 +2,8 @@
 // (cca/base/separate/compiled.hpp).
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,7 +29,7 @@ CCA_MAIN_INLINE void add_lost_samples(const std::string& input,
 }
 
 CCA_MAIN_INLINE std::vector<std::string> causes_of_run::sentences(const fault_of_run* fault) const {
-  std::vector<std::pair<std::int64_t, std::string>> lines;  // with their beats
+  std::multimap<std::int64_t, std::string> lines;  // by beat; of one beat, as they come
   const auto at = [this](std::int64_t beat) {
     return formatted("after %.3f s", 1e-9 * static_cast<double>(beat * period));
   };
@@ -37,14 +37,13 @@ CCA_MAIN_INLINE std::vector<std::string> causes_of_run::sentences(const fault_of
   for (const auto& [path, said] : all) {
     if (!said) continue;
     if (fault && path == fault->path) of_fault = ": " + said.what;
-    else lines.emplace_back(said.beat, "`" + path + "`, " + at(said.beat) + ": " + said.what);
+    else lines.emplace(said.beat, "`" + path + "`, " + at(said.beat) + ": " + said.what);
   }
   if (fault) {
     if (!fault->cause.empty()) of_fault = ": " + fault->cause;
-    lines.emplace_back(fault->beat, "fault" + (fault->path.empty() ? "" : " in `" + fault->path + "`") +
-                                        ", " + at(fault->beat) + ": " + fault->reason + of_fault);
+    lines.emplace(fault->beat, "fault" + (fault->path.empty() ? "" : " in `" + fault->path + "`") + ", " +
+                                   at(fault->beat) + ": " + fault->reason + of_fault);
   }
-  std::ranges::stable_sort(lines, {}, &std::pair<std::int64_t, std::string>::first);
   std::vector<std::string> texts;
   for (auto& [beat, text] : lines) texts.push_back(std::move(text));
   return texts;

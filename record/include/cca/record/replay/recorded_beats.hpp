@@ -15,9 +15,11 @@
 #include <vector>
 
 #include <cca/base/refused.hpp>
+#include <cca/graph/deployment/part.hpp>
 #include <cca/record/mcap/reader.hpp>
 #include <cca/record/file/recording_file.hpp>
 #include <cca/record/replay/architecture_difference.hpp>
+#include <cca/runtime/environments/exchange/cycle_results.hpp>
 
 namespace cca::recording::detail {
 
