@@ -363,7 +363,7 @@ def policies(work):
     rows = []
     for compiler in COMPILERS:
         program = work / "policy"
-        build(compiler, ["-O2"], HERE / "policy.cpp", program)
+        build(compiler, ["-O2"], HERE / "learned_policy.cpp", program)
         run([str(program), "check"])
         for name in run([str(program), "list"]).stdout.splitlines():
             row = {"network": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}

@@ -298,7 +298,7 @@ def policies(part):
              f"**{r['policy'] / r['products']:.3f}**", f"{r['policy'] / r['by_hand']:.3f}", r["allocations"]] for r in part["data"]]
     return f"""## Learned policies
 
-A beat of a graph with a policy of 48 observations on four wires and 12 outputs (`bench/policy.cpp`), beside two forms by hand:
+A beat of a graph with a policy of 48 observations on four wires and 12 outputs (`bench/learned_policy.cpp`), beside two forms by hand:
 
 - products: y = W x + b for each layer, without activation, scales or limits
 - by hand: the whole network on Eigen vectors; a run checks that it gives the same numbers
