@@ -261,6 +261,7 @@ async function openFile(file) {
   await openRecording(file.name, async () => new Uint8Array(await file.arrayBuffer()));
 }
 async function openRecording(name, read) {
+  const before = source;
   try {
     const recording = await readRecording(await read(), live ? [live.description] : KNOWN);
     if (live && recording.difference) throw new Error(`this is a recording of another architecture: ${recording.difference}. page/recording.html shows the recordings of any architecture, and so does the option --page`);
@@ -269,6 +270,7 @@ async function openRecording(name, read) {
     show(true);
     say(`${name}: ${recording.beats} beats${recording.isCut ? ', cut off at the end' : ''}`);
   } catch (error) {
+    source = before;
     say(`${name}: ${error.message}`, true);
   }
 }

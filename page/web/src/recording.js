@@ -105,12 +105,12 @@ export class Recording {
         const path = m[1], size = Number(m[2]);
         const channel = this.channels.get(`/${path.replaceAll('.', '/')}`);
         const names = channel?.metadata.get('axes').split(' ') ?? [], units = this.unitsOf(channel, size);
-        outputs.push({ path, node: this.nodeAt(nodes, path.slice(0, path.lastIndexOf('.'))), at, channel, space: channel?.metadata.get('space') ?? '',
+        outputs.push({ path, node: this.portAt(nodes, path).node, at, channel, space: channel?.metadata.get('space') ?? '',
           fields: Array.from({ length: size }, (_, i) => ({ name: names[i] ?? String(i), unit: units[i] === '1' ? '' : units[i] })) });
         at += size;
       } else if ((m = /^wire to (.*) from output (\d+), delayed (\d+)$/.exec(line))) {
-        const dot = m[1].lastIndexOf('.');
-        wires.push({ from: Number(m[2]), node: this.nodeAt(nodes, m[1].slice(0, dot)), input: m[1].slice(dot + 1), delay: Number(m[3]), policy: m[3] === '0' ? 'latest' : `delayed ${m[3]}` });
+        const { node, port } = this.portAt(nodes, m[1]);
+        wires.push({ from: Number(m[2]), node, input: port, delay: Number(m[3]), policy: m[3] === '0' ? 'latest' : `delayed ${m[3]}` });
       }
     }
     const places = this.metadata.get('cca.places') ?? new Map();  // of a deployment
@@ -118,7 +118,13 @@ export class Recording {
     for (const node of nodes) node.environment = environments.indexOf(places.get(node.path));
     return { environments, name: architecture.name, period: Number(architecture.ns_a_beat), nodes, outputs, wires, coordinates: at, parameters: [] };
   }
-  nodeAt(nodes, path) { return nodes.findIndex((n) => n.path === path); }
+  // The node of a port, and the port's name, which may have dots: `*.status`.
+  portAt(nodes, path) {
+    const length = (n) => nodes[n]?.path.length ?? 0;
+    const node = nodes.reduce((longest, { path: of }, n) => (path.startsWith(`${of}.`) && of.length > length(longest) ? n : longest), -1);
+    if (node < 0) throw new Error(`its architecture has a port \`${path}\` of no component`);
+    return { node, port: path.slice(length(node) + 1) };
+  }
   // From the schema: `float64 hip  # N m, -3 to 3`. A unit may have spaces, so the metadata won't do.
   unitsOf(channel, size) {
     const lines = (channel?.schema ?? '').split('\n').filter((l) => l.startsWith('float64'));
