@@ -157,7 +157,7 @@ using path = std::vector<std::array<double, 8>>;
 template <class Architecture>
 std::array<double, 8> positions(const in_memory<Architecture>& r) {
   std::array<double, 8> all{};
-  const auto joints_now = r.robot.joints();
+  const auto joints_now = r.plant.motions();
   for (std::size_t i = 0; i < 8; ++i) all[i] = joints_now[i].position;
   return all;
 }

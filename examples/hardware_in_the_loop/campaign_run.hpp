@@ -145,7 +145,7 @@ private:
     if (k < begin) return;
     if (moving) last_moving = k;
     gone.push_back(positions(r));
-    const auto q = r.robot.joints();
+    const auto q = r.plant.motions();
     for (std::size_t i = 0; i < 8; ++i) {
       found.max_excursion = std::max(found.max_excursion, std::abs(q[i].position - where[i]));
       found.max_torque = std::max(found.max_torque, std::abs(q[i].torque));
@@ -198,7 +198,7 @@ private:
     } else {
       found.max_excursion = farthest(gone, undisturbed<Architecture>());
     }
-    found.fell = r.robot.world.fallen();
+    found.fell = r.plant.world.fallen();
   }
 
   // By the operator.

@@ -200,7 +200,7 @@ void campaign(Go go) {
   with(s{.fault = "sensor board faulty",
          .each =
              [](limited_run& r, std::int64_t) {
-               auto reading = r.robot.board();
+               auto reading = r.plant.board();
                reading.status = 1;
                r.far.board_silent = true;  // this sends in its place
                r.wires[4].end(2).send(board::frames(reading, 0));

@@ -249,8 +249,9 @@ int as_drives(const wishes& o) {
       unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
     driven = driven || !free;
     off = driven && free ? off + 1 : 0;
-    robot.advance(laws, far.abduction);
-    far.tell(robot.joints(), robot.board());
+    robot.move_servos(far.abduction);
+    robot.advance(laws);
+    far.tell(robot.motions(), robot.board());
     distance = std::max(distance, robot.world.trunk_position()[0]);
     if (k % 1000 == 0)
       std::printf("drives: %2lld s: %.2f m\n", static_cast<long long>(k / 1000),

@@ -1,5 +1,6 @@
 #pragma once
-// The simulated Oncilla as the mechanics of the virtual drives: their laws in, its joints and sensors out.
+// The simulated Oncilla as the mechanics of the virtual drives: their laws in, its joints and sensors out. It
+// is a plant for cca::hardware::virtual_hardware.
 //
 // A drive measures its velocity with its encoder: it is the change of the angle over the last millisecond.
 // The simulator's own velocity is that of one step of the engine. Where a joint chatters in a stop or a
@@ -21,11 +22,14 @@ namespace axes = cca::robots::oncilla;
 
 class mechanics {
 public:
-  explicit mechanics(cca::sim::world&& w) : world(std::move(w)), former(angles()) {}
+  explicit mechanics(cca::sim::world&& w = cca::sim::world()) : world(std::move(w)), former(angles()) {}
+
+  void move_servos(const std::array<double, 4>& targets) { abduction = targets; }
 
   // One millisecond.
   void advance(const std::array<cca::hardware::drive_command, 8>& drives,
-               const std::array<double, 4>& abduction) {
+               const std::array<bool, 8>& = {},
+               double = 1e-3) {
     const auto law = [](const cca::hardware::drive_command& c) {
       return cca::sim::joint_law{c.position, c.velocity, c.torque, c.stiffness, c.damping};
     };
@@ -51,7 +55,7 @@ public:
     world.advance(laws);
   }
 
-  std::array<cca::hardware::drive_motion, 8> joints() const {
+  std::array<cca::hardware::drive_motion, 8> motions() const {
     std::array<cca::hardware::drive_motion, 8> all;
     const auto at = angles();
     const auto measured = [&](std::size_t joint, double torque) {
@@ -70,8 +74,7 @@ public:
     former = angles();
   }
 
-  cca::hardware::board_reading board() const {
-    cca::hardware::board_reading b;
+  void feel(cca::hardware::board_reading& b) const {
     const auto r = world.reading();
     const auto& q = r.trunk.orientation;
     b.orientation = {q.x, q.y, q.z, q.w};
@@ -83,6 +86,10 @@ public:
       b.contact[leg] = r.legs[leg].contact();
       b.abduction[leg] = r.legs[leg].abduction.angle;
     }
+  }
+  cca::hardware::board_reading board() const {
+    cca::hardware::board_reading b;
+    feel(b);
     return b;
   }
 
@@ -99,7 +106,8 @@ private:
     return all;
   }
 
-  std::array<double, 8> former;  // a millisecond ago
+  std::array<double, 8> former;       // a millisecond ago
+  std::array<double, 4> abduction{};  // where its servos shall go
 };
 
 }  // namespace hil

@@ -49,6 +49,7 @@ struct right_hind_knee : leg_joint<robots::oncilla::right_hind_knee, 8, knee, kn
 struct board : hw::sensor_board<0x40, 4> {};  // ids 0x40 to 0x45, on bus 4
 // [joints end]
 
+// The robot on a kind of bus. [robot]
 using joints = hw::joint_list<left_front_hip,
                               right_front_hip,
                               left_hind_hip,
@@ -57,21 +58,10 @@ using joints = hw::joint_list<left_front_hip,
                               right_front_knee,
                               left_hind_knee,
                               right_hind_knee>;
-inline constexpr std::size_t buses = 5;
-
-// The robot on a kind of bus. [robot]
 template <class Bus>
-struct oncilla : hw::oncilla<Bus,
-                             left_front_hip,
-                             right_front_hip,
-                             left_hind_hip,
-                             right_hind_hip,
-                             left_front_knee,
-                             right_front_knee,
-                             left_hind_knee,
-                             right_hind_knee,
-                             board> {};
+struct oncilla : hw::oncilla<Bus, joints, board> {};
 // [robot end]
+inline constexpr std::size_t buses = 5;
 
 // The virtual drives: their firmware stops after 4 ms without a set-point.
 template <class Drive>

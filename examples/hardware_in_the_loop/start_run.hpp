@@ -67,7 +67,7 @@ private:
   }
   std::array<double, 8> positions() const {
     std::array<double, 8> all;
-    const auto q = r.robot.joints();
+    const auto q = r.plant.motions();
     for (std::size_t i = 0; i < 8; ++i) all[i] = q[i].position;
     return all;
   }
@@ -90,7 +90,7 @@ private:
           std::string(hw::name_of(cause.rule)) +
           (cause.joint < 0 ? "" : ", " + std::string(Joints::names[static_cast<std::size_t>(cause.joint)])));
     }
-    const auto q = r.robot.joints();
+    const auto q = r.plant.motions();
     for (std::size_t i = 0; i < 8; ++i) {
       const auto& c = r.laws[i];
       if (began && (std::abs(c.velocity) > 0.03 ||
@@ -123,7 +123,7 @@ private:
     if (s.refusal.empty() && detected >= 0) wrong("is stopped by `" + found.first_cause + "`");
     if (fastest > r.controller.template get<"robot.rate">().p.approach)
       wrong("enters its range with " + std::to_string(fastest) + " rad/s");
-    found.fell = r.robot.world.fallen();
+    found.fell = r.plant.world.fallen();
   }
 
   static constexpr std::int64_t first_start = 1500;

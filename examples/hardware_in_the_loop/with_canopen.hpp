@@ -27,16 +27,7 @@ using joints = hw::joint_list<left_front_hip,
                               left_hind_knee,
                               right_hind_knee>;
 template <class Bus>
-struct oncilla : hw::oncilla<Bus,
-                             left_front_hip,
-                             right_front_hip,
-                             left_hind_hip,
-                             right_hind_hip,
-                             left_front_knee,
-                             right_front_knee,
-                             left_hind_knee,
-                             right_hind_knee,
-                             board> {};
+struct oncilla : hw::oncilla<Bus, joints, board> {};
 
 template <class Drive>
 struct virtual_drive : hil::virtual_damiao<Drive> {};
@@ -52,6 +43,6 @@ struct limited : sabotaged<cca::limiter<robots::oncilla::leg_angles>, Delay, onc
 template <class Delay>
 using run_type = in_memory<limited<Delay>,
                            cca::controller<limited<Delay>>,
-                           hw::virtual_robot<memory_end, virtual_drive, board, joints>>;
+                           memory_buses_of<oncilla<memory_end>, virtual_drive>>;
 
 }  // namespace hil::with_canopen

@@ -52,7 +52,7 @@ struct board : hw::load_board<0x40, 1, 3> {};  // ids 0x40 and 0x41, on bus 3
 
 using joints = hw::joint_list<a1, a2, a3, a4, a5, a6, a7>;
 template <class Bus>
-struct robot : hw::robot<arm::description, Bus, a1, a2, a3, a4, a5, a6, a7, board> {};
+struct robot : hw::robot<arm::description, Bus, joints, board> {};
 // [joints end]
 
 }  // namespace on_canopen
@@ -86,7 +86,7 @@ struct board : hw::load_board<0x40, 1, 3> {};
 
 using joints = hw::joint_list<a1, a2, a3, a4, a5, a6, a7>;
 template <class Bus>
-struct robot : hw::robot<arm::description, Bus, a1, a2, a3, a4, a5, a6, a7, board> {};
+struct robot : hw::robot<arm::description, Bus, joints, board> {};
 
 }  // namespace on_moteus
 

@@ -1,32 +1,30 @@
-// A robot on virtual drives, without a simulator: eight plain motors are its mechanics. For tests of starting
-// and stopping, and for the random campaign.
+// A robot on virtual drives, without a simulator: plain motors are its mechanics. For tests of starting and
+// stopping, of all families of drives, and for the random campaign.
 //
-//   robot_lab<joints, board, architecture> lab;   // `architecture` has the robot at "robot"
-//   lab.beat();                                   // the controller's step, then the drives' millisecond
+//   robot_lab<robot<lab_end>, architecture> lab;   // `architecture` has the robot at "robot"
+//   lab.beat();                                    // the controller's step, then the drives' millisecond
 //
-// The third end of each bus is for spies and for nodes that disturb.
+// It is a cca::hardware::virtual_hardware, so it has the drives, the buses and what the drives follow. The
+// third end of each bus is for spies and for nodes that disturb.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <cca/cca.hpp>
-#include <cca/hardware/memory_bus.hpp>
-#include <cca/hardware/oncilla.hpp>
-#include <cca/hardware/virtual_robot.hpp>
+#include <cca/hardware/sensor_board.hpp>
+#include <cca/hardware/virtual_hardware.hpp>
 
 namespace laws {
 
 namespace hw = cca::hardware;
-namespace oncilla = cca::robots::oncilla;
-
-using lab_wire = hw::memory_bus<3, 16>;
-using wire_end = lab_wire::end_type;
 
 // A send queue that takes nothing while a test says so.
 struct refusing {
@@ -37,7 +35,7 @@ struct refusing {
 
 // The controller's end of a bus; it notes what the controller sends, or tries to send.
 struct lab_end {
-  wire_end end;
+  hw::virtual_bus_end end;
   std::vector<hw::can_frame>* sent;
   refusing* refused;
 
@@ -58,78 +56,79 @@ struct lab_end {
 };
 static_assert(hw::CanBus<lab_end>);
 
-template <class Joints, class Board, class Architecture, template <class> class Virtual>
-class robot_lab {
-public:
-  using joints = Joints;
-  static constexpr std::size_t count = Joints::count, buses = 5;
+// The middle of a joint's range, where the lab puts it.
+template <class Joints>
+constexpr double middle_of(std::size_t joint) {
+  return (Joints::angle[joint].lower + Joints::angle[joint].upper) / 2;
+}
 
-  explicit robot_lab(bool one_shot = true)
-      : wires{made(one_shot, 0), made(one_shot, 1), made(one_shot, 2), made(one_shot, 3), made(one_shot, 4)} {
-    for (std::size_t i = 0; i < count; ++i) put(i, (Joints::angle[i].lower + Joints::angle[i].upper) / 2);
-    controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
-    far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
-  }
-  robot_lab(const robot_lab&) = delete;
-  robot_lab& operator=(const robot_lab&) = delete;
+// A motor a joint. A cable pulls a knee against a spring, which holds it where it is put.
+template <class Joints>
+struct pulled_motors : hw::virtual_motors<Joints> {
+  static constexpr std::size_t count = Joints::count;
+  std::array<double, count> rest{};
+  std::array<double, 4> abducted{};  // where the abduction servos are
 
-  // A knee is pulled against a spring, which holds it where it is put.
   void put(std::size_t i, double angle) {
-    motors[i].now = {angle, 0, 0};
+    this->motors[i].now = {angle, 0, 0};
     rest[i] = angle;
-    if (is_pulled(i)) motors[i].friction = 0.3;
+    if (is_pulled(i)) this->motors[i].friction = 0.3;
+  }
+  void advance(const std::array<hw::drive_command, count>& laws,
+               const std::array<bool, count>& enabled,
+               double seconds) {
+    for (std::size_t i = 0; i < count; ++i)
+      this->load[i] = is_pulled(i) ? 2 * (rest[i] - this->motors[i].now.position) : 0;
+    hw::virtual_motors<Joints>::advance(laws, enabled, seconds);
+  }
+  void feel(hw::board_reading& r) const { r.abduction = abducted; }
+
+private:
+  static constexpr bool is_pulled(std::size_t i) { return Joints::torque[i].lower >= 0; }
+};
+
+template <class Robot, class Architecture, template <class> class Virtual = hw::virtual_of>
+class robot_lab : public hw::virtual_hardware<Robot, pulled_motors<typename Robot::joints>, Virtual> {
+  using hardware = hw::virtual_hardware<Robot, pulled_motors<typename Robot::joints>, Virtual>;
+
+public:
+  using joints = typename Robot::joints;
+  using hardware::buses, hardware::count;
+
+  explicit robot_lab(bool one_shot = true) : hardware({.one_shot = one_shot, .seed = 1}) {
+    for (std::size_t i = 0; i < count; ++i) this->plant.put(i, middle_of<joints>(i));
+    for (std::size_t b = 0; b < buses; ++b) this->wires[b].follow(troubles[b]);
+    std::apply([this](auto&... end) { synchronizer().connect(end...); }, near);
   }
 
-  void beat(bool controller_runs = true) {
+  void beat() {
     for (auto& frames : sent) frames.clear();
-    if (controller_runs) controller.step();
+    controller.step();
     rest_of_beat();
   }
   void beats(int n) {
     for (; n > 0; --n) beat();
   }
   // What happens until the next step of the controller.
-  void rest_of_beat() {
-    go_to(now + 500'000);
-    far.listen(now + 500'000, [&](std::size_t bus, const hw::can_frame& f) { heard(bus, f); });
-    command = far.laws(now + 500'000);
-    std::array<hw::drive_motion, count> motions;
-    for (std::size_t i = 0; i < count; ++i) {
-      motors[i].advance(command[i], is_pulled(i) ? 2 * (rest[i] - motors[i].now.position) : 0, 1e-3);
-      motions[i] = motors[i].now;
-      motions[i].velocity *= speed_scale[i];
-    }
-    board.abduction = abducted;
-    far.tell(motions, board);
-    go_to((now += 1'000'000) - 1);
-  }
+  void rest_of_beat() { hardware::step(heard); }
 
   auto& stop() { return controller.template get<"robot.emergency_stop">(); }
   auto& synchronizer() { return controller.template get<"robot.synchronizer">(); }
   hw::motion_phase phase() { return synchronizer().phase(); }
-  bool is_enabled(std::size_t i) const {
-    std::size_t at = 0;
-    bool found = false;
-    std::apply([&](const auto&... drive) { ((found = at++ == i ? drive.enabled() : found), ...); },
-               far.drives);
-    return found;
-  }
-  int enabled() const {
-    int n = 0;
-    for (std::size_t i = 0; i < count; ++i) n += is_enabled(i);
-    return n;
+  template <class F>
+  void of_drive(std::size_t which, F f) {
+    std::size_t i = 0;
+    std::apply([&](auto&... drive) { ((i++ == which ? f(drive) : void()), ...); }, this->far.drives);
   }
   double stiffest() const {
-    double most = 0;
-    for (const auto& c : command) most = std::max(most, c.stiffness);
-    return most;
+    return std::ranges::max(this->laws, {}, &hw::drive_command::stiffness).stiffness;
   }
   double least_damping() const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& c : command) least = std::min(least, c.damping);
-    return least;
+    return std::ranges::min(this->laws, {}, &hw::drive_command::damping).damping;
   }
 
+  // Called for each frame that the drives hear.
+  std::function<void(std::size_t bus, const hw::can_frame&)> heard = [](std::size_t, const hw::can_frame&) {};
   std::array<std::vector<hw::can_frame>, buses> sent{};  // by the controller, in this beat, on each bus
   std::array<refusing, buses> refused{};                 // whether the controller's end takes frames
   // What happens to each bus; a test may write it while the lab runs. It begins with nothing.
@@ -139,36 +138,12 @@ public:
     for (auto& of_bus : all) of_bus.fill(no_trouble);
     return all;
   }();
-  std::array<lab_wire, buses> wires;
   cca::controller<Architecture> controller{};
-  hw::virtual_robot<wire_end, Virtual, Board, Joints> far{};
-  std::array<hw::virtual_motor, count> motors{};
-  std::array<hw::drive_command, count> command{};                 // what the drives follow
-  std::array<double, count> speed_scale{1, 1, 1, 1, 1, 1, 1, 1};  // of the velocities that they report
-  std::array<double, 4> abducted{};                               // where the abduction servos are
-  hw::board_reading board{};
-  std::int64_t now = 0;
-
-protected:
-  virtual ~robot_lab() = default;
-  virtual void heard(std::size_t, const hw::can_frame&) {}
 
 private:
-  lab_wire made(bool one_shot, std::size_t bus) const {
-    return lab_wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = bus + 1, .script = troubles[bus]});
-  }
-  static constexpr bool is_pulled(std::size_t i) { return Joints::torque[i].lower >= 0; }
-  void go_to(std::int64_t time) {
-    for (auto& w : wires) w.advance(time);
-  }
-  std::array<lab_end, buses> near{{{wires[0].end(0), &sent[0], &refused[0]},
-                                   {wires[1].end(0), &sent[1], &refused[1]},
-                                   {wires[2].end(0), &sent[2], &refused[2]},
-                                   {wires[3].end(0), &sent[3], &refused[3]},
-                                   {wires[4].end(0), &sent[4], &refused[4]}}};
-  std::array<wire_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1),
-                                   wires[4].end(1)};
-  std::array<double, count> rest{};
+  std::array<lab_end, buses> near = [this]<std::size_t... B>(std::index_sequence<B...>) {
+    return std::array{lab_end{this->wires[B].end(0), &sent[B], &refused[B]}...};
+  }(std::make_index_sequence<buses>());
 };
 
 }  // namespace laws

@@ -225,6 +225,10 @@ class Family:
         return "LLVMFuzzerTestOneInput" in code and any(self.type in words_behind(code, what)
                                                         for what in re.findall(r"\bhears\s*<([^;]*?)>\s*\(", code))
 
+    def robot_with_all(self, text):
+        code = without_strings(without_comments(text))
+        return any(self.type in words_behind(code, what) for what in re.findall(r"\bstruct\s+\w+\s*:\s*on_bus\s*<([^{;]*)>\s*\{", code))
+
     # Step 6
     def header_row(self, text):
         return has_row(text, rf"<cca/hardware/{re.escape(self.name)}\.hpp>")
@@ -299,6 +303,7 @@ class Family:
             (f"tests/runtime/hardware/{name}.cpp", self.laws, 3, "a test of the laws of drives", f"a test case that calls `laws::drive<{self.type}...>()`"),
             ("tests/runtime/drive_chain/virtual_drives.cpp", self.virtual_laws, 4, "a test of the laws of virtual drives",
              f"a rig of `{virtual}` to the list of the test case `the laws`"),
+            ("tests/laws/families_oncilla.hpp", self.robot_with_all, 4, "a joint of the robot with all families", f"a joint `on_bus<..., {self.type}..., ...>`"),
             (f"tests/fuzz/{name}.cpp", self.fuzz_target, 5, "a fuzz target of its decoder", f"`LLVMFuzzerTestOneInput` with a call of `fuzz::hears<{self.type}...>`"),
             ("docs/drives.md", self.header_row, 6, "its row in the table of headers", f"{row} `<cca/hardware/{name}.hpp>`"),
             ("docs/drives.md", self.column, 6, "its column in the table of drives", f"a column `{self.type}` with what it does in each line"),

@@ -498,6 +498,8 @@ class Drives(Tree):
     LAWS = '#include "../../laws/drive_laws.hpp"\n\nusing servo = acme2<motor, 1>;\n\nTEST_CASE("acme2: the laws of a drive") {\n  laws::drive<servo>();\n}\n'
     RIGS = ("template <class V>\nstruct rig {};\nstruct ak : rig<virtual_mit<hip>> {};\nstruct acme : rig<virtual_acme2<hip>> {};\n"
             'TEST_CASE_TEMPLATE("the laws", Rig, ak, acme) {\n  laws::virtual_drive<Rig>();\n}\n')
+    ROBOT = ("template <int Number>\nusing servo = hw::acme2<motor, Number>;\nusing other = hw::mit_drive<motor, 1>;\n"
+             "struct hip : on_bus<oncilla::hip, servo<1>, 0, 4> {};\nstruct knee : on_bus<oncilla::knee, other, 0, 2> {};\n")
     FUZZ = "using drive = acme2<motor, 1>;\nextern \"C\" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {\n  fuzz::hears<drive>(data, size);\n}\n"
     HEADER_ROW, SOURCE_ROW = "| `<cca/hardware/acme2.hpp>` | `acme2<Motor>` |\n", "| Acme 2, firmware 1 | its manual | |\n"
     PAGE = ("# Drives\n\n| header | what |\n|---|---|\n" + HEADER_ROW + "\n| | `mit_drive` | `acme2` |\n|---|---|---|\n| for | AK | ACME |\n"
@@ -522,6 +524,7 @@ class Drives(Tree):
             f"{drives.HARDWARE}/drives/drive.hpp": "// Models: mit.hpp, acme2.hpp. docs/drives.md\n",
             "tests/runtime/hardware/acme2.cpp": self.LAWS,
             "tests/runtime/drive_chain/virtual_drives.cpp": self.RIGS,
+            "tests/laws/families_oncilla.hpp": self.ROBOT,
             "tests/fuzz/acme2.cpp": self.FUZZ,
             "tests/fuzz/corpus/acme2/first": "0123456789",
             "docs/drives.md": self.PAGE,
@@ -594,6 +597,8 @@ class Drives(Tree):
             self.one_hole(laws, old, new, "a test of the laws of drives")
         for old, new in ((", acme)", ")"), ("virtual_acme2", "virtual_mit"), (", acme)", ") // acme virtual_acme2<hip>\n"), ("  laws", "  // laws")):
             self.one_hole(rigs, old, new, "a test of the laws of virtual drives")
+        for old, new in (("servo<1>", "other"), ("struct hip", "// struct hip"), ("hw::acme2<", "hw::acme<"), (": on_bus<oncilla::hip, servo<1>, 0, 4> {}", "")):
+            self.one_hole("tests/laws/families_oncilla.hpp", old, new, "a joint of the robot with all families")
         for old, new in (("  fuzz::hears", "  // fuzz::hears"), ("acme2<motor", "mit_drive<motor")):
             self.one_hole(fuzz, old, new, "a fuzz target of its decoder")
         (self.root / "tests/fuzz/corpus/acme2/first").unlink()
@@ -688,7 +693,7 @@ class Drives(Tree):
         self.write("README.md", self.whole["README.md"].replace("one families", "two families"))
         self.write(f"{drives.DRIVES}/a+b(.hpp", self.codec().replace("acme2", "ab"))
         found = self.found()
-        self.assertEqual(len(found), 24)
+        self.assertEqual(len(found), 25)
         self.assertTrue(all("the drive `a+b(` lacks " in one for one in found), found)
         self.write(f"{drives.DRIVES}/a+b(.hpp", "")
         self.write(f"{drives.DRIVES}/acme.2.hpp", self.codec().replace("acme2", "other"))

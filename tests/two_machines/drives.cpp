@@ -6,7 +6,6 @@
 // The side of the buses trots, then keeps a clock until it loses contact. From then on its drives may hold no
 // position any more. It shuts down in order; at a line of the standard input it is put on its feet again, and
 // trots on.
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -17,45 +16,28 @@
 
 #include <cca/dds.hpp>
 
-#include "../../examples/hardware_in_the_loop/two_environments.hpp"
+#include "../laws/trot_in_two.hpp"
 
 namespace {
 
-using trot_in_two = cca::deployed<hil::two_environments<hil::memory_end>>;
+using laws::trot_in_two;
 
 constexpr std::int64_t before = 1500, after = 1000;  // beats of trot
-constexpr double slowly = 0.02;                      // beats of 50 ms
-constexpr std::int64_t tolerated = 3;                // late beats
 
 double seconds() { return 1e-9 * static_cast<double>(cca::detail::monotonic_clock::now()); }
 
-// Between two beats a millisecond passes for the drives.
-struct time_of_drives {
-  hil::memory_buses& far;
-  void begin() const {}
-  void wait(std::int64_t since) const {
-    if (since > 0) far.pass_millisecond();
-  }
-};
-
-// The same in a wall-clock run.
-class clock_of_drives : public cca::at_speed {
+// It notes when the newest beat began.
+class noting_clock : public laws::clock_of_drives {
 public:
-  clock_of_drives(hil::memory_buses& drives, double& newest) : at_speed(slowly), far(drives), begun(newest) {}
+  noting_clock(hil::memory_buses& drives, double& newest) : clock_of_drives(drives), begun(newest) {}
   void wait(std::int64_t since) {
-    at_speed::wait(since);
-    if (since > 0) far.pass_millisecond();
+    clock_of_drives::wait(since);
     begun = seconds();
   }
 
 private:
-  hil::memory_buses& far;
-  double& begun;  // when the newest beat began
+  double& begun;
 };
-
-bool is_driven(const hil::memory_buses& far) {
-  return std::ranges::any_of(far.laws, [](const auto& law) { return law.stiffness > 0; });
-}
 
 int run_buses(const cca::dds::domain& net) {
   trot_in_two robot(cca::only{"buses"}, net);
@@ -63,23 +45,18 @@ int run_buses(const cca::dds::domain& net) {
   far.connect(robot);
   robot.load();
   robot.start();
-  robot.run(cca::for_some_beats{before}, time_of_drives{far});
-  const bool trots = is_driven(far) && far.world().trunk_position()[0] > 0.3;
+  robot.run(cca::for_some_beats{before}, far.pace());
+  const bool trots = laws::trots(far);
   std::printf("at %.3f s: both run, %s\n", seconds(),
               trots ? "the robot trots" : "but the robot does not trot");
   std::fflush(stdout);
   far.pass_millisecond();
   double begun = 0;
-  robot.run(cca::without_end{}, clock_of_drives(far, begun));
+  robot.run(cca::without_end{}, noting_clock(far, begun));
 
   const std::string reason = robot.fault().reason();
   const std::int64_t late = robot.late();
-  int driven = 0;
-  for (int ms = 0; ms < 300; ++ms) {  // the frames of on_fault are on the buses
-    far.pass_millisecond();
-    if (is_driven(far)) ++driven;
-    robot.step();
-  }
+  const int driven = laws::driven_after(robot, far);
   const auto off = far.shut_down(robot);
   std::printf("stopped at %.3f s: %s, after %lld late beats; then driven for %d ms; %s\n", begun,
               reason.c_str(), static_cast<long long>(late), driven,
@@ -91,13 +68,13 @@ int run_buses(const cca::dds::domain& net) {
   robot.start();
   std::this_thread::sleep_for(
       std::chrono::milliseconds(500));  // until the other side has seen that, and has started
-  robot.run(cca::for_some_beats{after}, time_of_drives{far});
-  const bool goes_on = !robot.fault() && is_driven(far) && far.world().trunk_position()[0] > 0.1;
+  robot.run(cca::for_some_beats{after}, far.pace());
+  const bool goes_on = !robot.fault() && laws::is_driven(far) && far.world().trunk_position()[0] > 0.1;
   std::printf("%s: beat %lld, at %.2f m%s%s\n", goes_on ? "it trots again" : "it does not trot again",
               static_cast<long long>(robot.beat_index()), far.world().trunk_position()[0],
               robot.fault() ? ", " : "", robot.fault().reason());
   far.shut_down(robot);
-  return trots && late > tolerated && driven <= 2 && off.complete() && goes_on ? 0 : 1;
+  return trots && late > laws::tolerated_late_beats && driven <= 2 && off.complete() && goes_on ? 0 : 1;
 }
 
 // It follows: what the other side stops is stopped here, and it starts again until the other side has

@@ -1,6 +1,6 @@
 // A random campaign for the whole robot: random frames, faults of drives, board and buses (frames lost, late
 // or twice, refused by the send queue, bus off, link down), beats that don't happen, commands, parameters,
-// stops and starts from any pose; one robot on Damiao drives, one with four families. Each frame that the
+// stops and starts from any pose; one robot on Damiao drives, one with all families. Each frame that the
 // controller sends is judged (judge.hpp).
 //
 //   cca_fuzz_robot --seconds 60 --seed 1
@@ -15,11 +15,12 @@
 #include <random>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <cca/main/command_line.hpp>
 #include <cca/main/run_program.hpp>
 
-#include "../../laws/damiao_oncilla.hpp"
+#include "../../../examples/hardware_in_the_loop/robot.hpp"
 #include "../../laws/families_oncilla.hpp"
 #include "../../laws/robot_lab.hpp"
 #include "judge.hpp"
@@ -53,20 +54,28 @@ struct architecture : cca::graph<cca::rate<1000>,
                                  cca::wire<"limits.safe", "robot.command">,
                                  cca::wire<"spread.safe", "robot.abduction">> {};
 
-struct on_damiao : architecture<damiao::robot<laws::lab_end>> {};
-struct on_all_families : architecture<families::robot<laws::lab_end>> {};
-using damiao_lab = laws::robot_lab<damiao::joints, damiao::board, on_damiao, damiao::virtual_drive>;
-using families_lab =
-    laws::robot_lab<families::joints, families::board, on_all_families, families::virtual_drive>;
+using damiao = hil::oncilla<laws::lab_end>;
+using all_families = families::robot<laws::lab_end>;
+struct on_damiao : architecture<damiao> {};
+struct on_all_families : architecture<all_families> {};
+using damiao_lab = laws::robot_lab<damiao, on_damiao, hil::virtual_damiao>;
+using families_lab = laws::robot_lab<all_families, on_all_families>;
+
+// The ids of the frames from and to these drives, and to and from the board.
+template <class Board, class... J>
+std::vector<hw::can_filter> ids_of(hw::joint_list<J...>) {
+  std::vector<hw::can_filter> all;
+  const auto add = [&](const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
+  (add(J::drive::requests), ...), (add(J::drive::replies), ...);
+  add(Board::requests), add(Board::replies);
+  return all;
+}
 
 struct totals {
   std::uint64_t lives = 0, beats = 0, frames = 0, motions = 0, from_outside = 0, bus_faults = 0, refused = 0;
 };
 
 template <class Lab>
-struct open_lab : Lab {};  // its destructor is protected
-
-template <class Lab, class Board>
 class life {
 public:
   explicit life(std::uint64_t seed) : random(seed) {}
@@ -119,16 +128,14 @@ private:
   void pose() {
     for (std::size_t i = 0; i < Lab::count; ++i) {
       const double beyond = chance(0.1) ? (chance(0.2) ? 0.6 : 0.3) : 0;  // 0.5 is tolerated
-      lab.put(i, any(joints::angle[i].lower - beyond, joints::angle[i].upper + beyond));
+      lab.plant.put(i, any(joints::angle[i].lower - beyond, joints::angle[i].upper + beyond));
     }
-    for (double& a : lab.abducted) a = any(-0.3, 0.3);
+    for (double& a : lab.plant.abducted) a = any(-0.3, 0.3);
   }
 
   template <class F>
   void of_one_drive(F f) {
-    std::size_t i = 0;
-    const std::size_t which = below(Lab::count);
-    std::apply([&](auto&... drive) { ((i++ == which ? f(drive) : void()), ...); }, lab.far.drives);
+    lab.of_drive(below(Lab::count), f);
   }
   void mend() {
     std::apply([](auto&... drive) { (drive.clear(), ...); }, lab.far.drives);
@@ -206,29 +213,19 @@ private:
   }
   // A frame of another node: an id that is in use, or any; any bytes.
   void disturb() {
+    static const auto ids = ids_of<typename Lab::board>(joints());
     hw::can_frame f;
-    const std::uint32_t ids[] = {1,
-                                 2,
-                                 0x10,
-                                 0x41,
-                                 0x45,
-                                 0x81,
-                                 0x181,
-                                 0x281,
-                                 0x701,
-                                 0x29,
-                                 0x21,
-                                 0,
-                                 static_cast<std::uint32_t>(below(0x800))};
-    f.id = hw::standard(ids[below(13)]);
+    const hw::can_filter own = chance(0.1) ? hw::can_filter{{0, chance(0.5)}, 0} : ids[below(ids.size())];
+    const std::uint32_t free = ~own.mask & (own.id.extended ? 0x1FFFFFFF : 0x7FF);
+    f.id = {own.id.number | (static_cast<std::uint32_t>(random()) & free), own.id.extended};
     f.length = static_cast<std::uint8_t>(below(9));
     for (std::size_t i = 0; i < f.length; ++i) f.data[i] = static_cast<std::uint8_t>(random());
     for (std::size_t n = 1 + below(4); n > 0; --n) lab.wires[below(Lab::buses)].end(2).send({&f, 1});
   }
 
   std::mt19937_64 random;
-  open_lab<Lab> lab{};
-  fuzz::judge<joints, Board> judged{};
+  Lab lab{};
+  fuzz::judge<joints, typename Lab::board> judged{};
   std::array<double, 8> latched{};
   int stalled = 0;
   std::uint64_t bus_faults = 0;
@@ -243,10 +240,8 @@ int judge_lives(std::uint64_t seconds, std::uint64_t seed) {
       std::printf("%s, --seed %llu: %s\n", robot, static_cast<unsigned long long>(seed), verdict.c_str());
       return 1;
     };
-    if (const auto bad = life<damiao_lab, damiao::board>(seed).live(all); !bad.empty())
-      return tell("Damiao", bad);
-    if (const auto bad = life<families_lab, families::board>(seed).live(all); !bad.empty())
-      return tell("all families", bad);
+    if (const auto bad = life<damiao_lab>(seed).live(all); !bad.empty()) return tell("Damiao", bad);
+    if (const auto bad = life<families_lab>(seed).live(all); !bad.empty()) return tell("all families", bad);
     ++seed;
   } while (std::chrono::steady_clock::now() < end);
   using number = unsigned long long;

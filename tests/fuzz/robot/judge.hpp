@@ -27,6 +27,7 @@
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/moteus.hpp>
 #include <cca/hardware/odrive.hpp>
+#include <cca/hardware/robstride.hpp>
 #include <cca/hardware/cia402.hpp>
 
 namespace fuzz {
@@ -64,7 +65,13 @@ std::optional<request> read(const hw::can_frame& f) {
     r.enables = f == D::axis_state(8);
     r.follows = D::hear(f, c);
     if (!r.enables && !r.follows) return {};
+  } else if constexpr (requires { D::run_mode(0); }) {
+    r.enables = f == D::enable();
+    if (D::hear(f, c)) r.follows = c.stiffness > 0 || std::abs(c.torque) > 0.05;
+    else if (std::ranges::none_of(D::requests, [&](const hw::can_filter& own) { return own.matches(f.id); }))
+      return {};
   } else {
+    static_assert(requires { D::sends_velocity; }, "fuzz::read: teach it the frames of this family");
     std::uint16_t word = 0;
     if (!D::hear(f, word, c)) return {};
     r.enables = (word & 0x87) == 0x07;

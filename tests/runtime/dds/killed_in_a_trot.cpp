@@ -6,7 +6,6 @@
 
 #include <signal.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -14,44 +13,16 @@
 
 #include <cca/dds.hpp>
 
-#include "../../../examples/hardware_in_the_loop/two_environments.hpp"
 #include "../../laws/process.hpp"
+#include "../../laws/trot_in_two.hpp"
 #include "over_dds.hpp"
 
 namespace {
 
-using trot_in_two = cca::deployed<hil::two_environments<hil::memory_end>>;
-
-// Between two beats a millisecond passes for the drives.
-struct time_of_drives {
-  hil::memory_buses& far;
-  void begin() const {}
-  void wait(std::int64_t since) const {
-    if (since > 0) far.pass_millisecond();
-  }
-};
-
-// The same in a wall-clock run. It is slow, so that a busy machine makes nothing late before the gait is
-// killed.
-class clock_of_drives : public cca::at_speed {
-public:
-  explicit clock_of_drives(hil::memory_buses& drives) : at_speed(0.02), far(drives) {}
-  void wait(std::int64_t since) {
-    at_speed::wait(since);
-    if (since > 0) far.pass_millisecond();
-  }
-
-private:
-  hil::memory_buses& far;
-};
-
-bool is_driven(const hil::memory_buses& far) {
-  return std::any_of(far.laws.begin(), far.laws.end(), [](const auto& law) { return law.stiffness > 0; });
-}
+using laws::trot_in_two;
 
 constexpr std::int64_t middle = 1500;
 constexpr std::int64_t begin_of_clock = middle - 20;  // before, in a fast run
-constexpr std::int64_t tolerated = 3;                 // late beats
 
 // What the robot's side says at its end. Before: it trots. After: within 2 ms no drive holds a position any
 // more.
@@ -64,26 +35,21 @@ std::string robot_whose_gait_is_killed(const Transport& transport, bool is_on_cl
   robot.start();
   bool was_driven = false;
   const auto look = [&](const auto& c) {
-    if (c.beat_index() == middle) was_driven = is_driven(far) && far.world().trunk_position()[0] > 0.3;
+    if (c.beat_index() == middle) was_driven = laws::trots(far);
     return true;
   };
   if (is_on_clock) {
-    robot.run(cca::for_some_beats{begin_of_clock}, time_of_drives{far}, look);
+    robot.run(cca::for_some_beats{begin_of_clock}, far.pace(), look);
     far.pass_millisecond();
-    robot.run(cca::for_some_beats{20'000}, clock_of_drives(far), look);
+    robot.run(cca::for_some_beats{20'000}, laws::clock_of_drives(far), look);
   } else {
-    robot.run(cca::for_some_beats{20'000}, time_of_drives{far}, look);
+    robot.run(cca::for_some_beats{20'000}, far.pace(), look);
   }
   std::ostringstream said;
   said << (was_driven ? "trots; " : "does not trot; ") << robot.fault().reason();
-  if (robot.beat_index() > middle + (is_on_clock ? tolerated + 2 : 20))
+  if (robot.beat_index() > middle + (is_on_clock ? laws::tolerated_late_beats + 2 : 20))
     said << " only in beat " << robot.beat_index();
-  int driven = 0;
-  for (int ms = 0; ms < 300; ++ms) {  // the frames of on_fault are on the buses
-    far.pass_millisecond();
-    if (is_driven(far)) ++driven;
-    robot.step();
-  }
+  const int driven = laws::driven_after(robot, far);
   if (driven > 2) said << "; driven for " << driven << " ms";
   const auto off = far.shut_down(robot);
   said << "; " << (off.complete() ? "all drives are off" : off.text());
@@ -121,7 +87,7 @@ std::string trot_with_killed_buses(Open open) {
     far.connect(robot);
     robot.load();
     robot.start();
-    robot.run(cca::for_some_beats{20'000}, time_of_drives{far}, die_in_the_middle);
+    robot.run(cca::for_some_beats{20'000}, far.pace(), die_in_the_middle);
     return "it was not killed";
   });
   process gait([&] {

@@ -1,5 +1,5 @@
-// One robot with several families of drives: moteus on CAN FD, ODrive, CiA 402 with its SYNC, MIT. Eight
-// plain motors are its mechanics.
+// One robot with all families of drives: moteus on CAN FD, RobStride with ids of 29 bits, ODrive, CiA 402
+// with its SYNC, MIT. Eight plain motors are its mechanics.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <doctest/doctest.h>
 
 #include <cca/cca.hpp>
-#include <cca/hardware/virtual_hardware.hpp>
 
 #include "../../laws/families_oncilla.hpp"
+#include "../../laws/robot_lab.hpp"
 
 namespace {
 
@@ -19,7 +19,7 @@ namespace hw = cca::hardware;
 namespace sim = cca::sim;
 using namespace families;
 
-struct robot : families::robot<hw::virtual_bus_end> {};
+struct robot : families::robot<laws::lab_end> {};
 
 // The ODrive in position mode leaves out the stiffness of its hip; without the hint it would be refused.
 struct without_hint : oncilla::as_built {
@@ -36,13 +36,14 @@ static_assert(plan::requests<2>.count == 4 && plan::replies<2>.count == 8);  // 
 static_assert(hw::cycle_ends<3, left_front_knee, right_front_knee>()[2].size() == 1);
 
 constexpr std::size_t count = joints::count;
-constexpr double start_at(std::size_t i) { return (joints::angle[i].lower + joints::angle[i].upper) / 2; }
-constexpr double step = 0.15, none = std::numeric_limits<double>::quiet_NaN();
+constexpr auto faults = []<class... J>(hw::joint_list<J...>) { return std::array{J::fault...}; }(joints());
+constexpr double way = 0.15, none = std::numeric_limits<double>::quiet_NaN();
 
 struct posture {
   auto process() -> cca::out<"angles", sim::leg_angles> {
     sim::leg_angles::vector_type v;
-    for (std::size_t i = 0; i < count; ++i) v[static_cast<Eigen::Index>(i)] = start_at(i) + step;
+    for (std::size_t i = 0; i < count; ++i)
+      v[static_cast<Eigen::Index>(i)] = laws::middle_of<joints>(i) + way;
     return v;
   }
 };
@@ -54,30 +55,16 @@ struct architecture : cca::graph<cca::rate<1000>,
                                  cca::wire<"posture.angles", "limits.command">,
                                  cca::wire<"limits.safe", "robot.command">> {};
 
-class lab {
-public:
-  lab() {
-    for (std::size_t i = 0; i < count; ++i) {
-      motors[i].now.position = start_at(i);
-      if (is_pulled(i)) motors[i].friction = 0.3;
-    }
+struct lab : laws::robot_lab<robot, architecture> {
+  lab() : robot_lab(false) {
     controller.load();
+    heard = [this](std::size_t, const hw::can_frame& f) { syncs += f == hw::canopen_sync(); };
   }
-
-  void beats(int n) {
-    for (; n > 0; --n) {
-      controller.step();
-      for (std::size_t i = 0; i < count; ++i) hardware.plant.load[i] = spring(i);
-      hardware.step([this](std::size_t, const hw::can_frame& f) { syncs += f == hw::canopen_sync(); });
-    }
-  }
-  auto& stop() { return controller.get<"robot.emergency_stop">(); }
-  auto& synchronizer() { return controller.get<"robot.synchronizer">(); }
   // A drive that takes torque alone is damped by torque against its speed.
   bool all_give_way() const {
     for (std::size_t i = 0; i < count; ++i) {
       const auto& c = laws[i];
-      const double speed = motors[i].now.velocity;
+      const double speed = plant.motors[i].now.velocity;
       const bool brakes =
           c.torque * speed <= 0 && std::abs(c.torque) <= servo.safe_damping * std::abs(speed) + 0.1;
       if (c.stiffness != 0 || !(brakes || std::abs(c.torque) <= 0.01) ||
@@ -86,29 +73,12 @@ public:
     }
     return true;
   }
-  template <class F>
-  void of_drive(std::size_t which, F f) {
-    std::size_t i = 0;
-    std::apply([&](auto&... drive) { ((i++ == which ? f(drive) : void()), ...); }, far.drives);
-  }
   bool all_there() const {
     for (std::size_t i = 0; i < count; ++i)
-      if (std::abs(motors[i].now.position - start_at(i) - step) > 0.03) return false;
+      if (std::abs(plant.motors[i].now.position - laws::middle_of<joints>(i) - way) > 0.03) return false;
     return true;
   }
-
-  cca::controller<architecture> controller{};
-  hw::virtual_hardware<robot, hw::virtual_motors<joints>> hardware{controller.get<"robot.synchronizer">()};
-  decltype(hardware.far)& far = hardware.far;
-  decltype(hardware.plant.motors)& motors = hardware.plant.motors;
-  const std::array<hw::drive_command, count>& laws = hardware.laws;
-  std::int64_t& now = hardware.now;
   int syncs = 0;
-
-private:
-  // A cable pulls the robot's knees against a spring.
-  static constexpr bool is_pulled(std::size_t i) { return joints::torque[i].lower >= 0; }
-  double spring(std::size_t i) const { return is_pulled(i) ? 2 * (start_at(i) - motors[i].now.position) : 0; }
 };
 
 }  // namespace
@@ -120,7 +90,7 @@ TEST_SUITE("families of drives") {
     double fastest = 0;
     for (int k = 0; k < 2000; ++k) {
       l.beats(1);
-      for (const auto& m : l.motors) fastest = std::max(fastest, std::abs(m.now.velocity));
+      for (const auto& m : l.plant.motors) fastest = std::max(fastest, std::abs(m.now.velocity));
     }
     CHECK(l.synchronizer().phase() == hw::motion_phase::running);
     CHECK(l.stop().mode() == hw::motion_mode::run);
@@ -129,7 +99,7 @@ TEST_SUITE("families of drives") {
     CHECK(fastest < 3);
     CHECK(l.syncs >= 1990);  // one a beat for both drives on this bus
     CHECK(l.syncs <= 2000);
-    for (auto& w : l.hardware.wires) CHECK(w.end(0).counters().dropped_full == 0);
+    for (auto& w : l.wires) CHECK(w.end(0).counters().dropped_full == 0);
     l.controller.stop();
     l.beats(3);
     CHECK(l.all_give_way());
@@ -137,22 +107,21 @@ TEST_SUITE("families of drives") {
 
   TEST_CASE(
       "if a drive of any family fails, falls silent or reboots, all give way, and a start brings them back") {
-    const auto check = []<std::size_t Drive>(std::index_sequence<Drive>, std::uint32_t code) {
-      CAPTURE(Drive);
+    for (std::size_t drive = 0; drive < count; ++drive) {
+      CAPTURE(drive);
       lab l;
-      auto& drive = std::get<Drive>(l.far.drives);
       l.controller.start();
       l.beats(1200);
       REQUIRE(l.stop().mode() == hw::motion_mode::run);
       REQUIRE(l.all_there());
-      const auto recovers = [&](hw::safety_rule rule, int joint) {
+      const auto recovers = [&](hw::safety_rule rule) {
         CHECK(l.stop().mode() == hw::motion_mode::damped);
         CHECK(l.stop().first_cause().rule == rule);
-        CHECK(l.stop().first_cause().joint == joint);
+        CHECK(l.stop().first_cause().joint == static_cast<int>(drive));
         CHECK(l.all_give_way());
-        CHECK_MESSAGE(l.laws[1].damping > 0,
+        CHECK_MESSAGE((drive == 0 || l.laws[0].damping > 0),
                       "a moteus damps by its brake, since a set point without stiffness does not damp it");
-        drive.clear();
+        l.of_drive(drive, [](auto& d) { d.clear(); });
         l.beats(50);
         CHECK(l.all_give_way());
         l.controller.stop();
@@ -161,24 +130,18 @@ TEST_SUITE("families of drives") {
         CHECK(l.stop().mode() == hw::motion_mode::run);
         CHECK(l.all_there());
       };
-      drive.fail(code);
+      l.of_drive(drive, [&](auto& d) { d.fail(faults[drive]); });
       l.beats(110);  // an ODrive reports it in its next heartbeat
-      recovers(hw::safety_rule::drive_fault, static_cast<int>(Drive));
-      drive.go_silent(true);
+      recovers(hw::safety_rule::drive_fault);
+      l.of_drive(drive, [](auto& d) { d.go_silent(true); });
       l.beats(6);
       CHECK_MESSAGE(l.stop().mode() == hw::motion_mode::damped, "three beats of silence are enough");
       l.beats(64);  // meanwhile the drive's own watchdog runs out
-      recovers(hw::safety_rule::silent, static_cast<int>(Drive));
-      drive.reboot(l.now, 100'000'000);
+      recovers(hw::safety_rule::silent);
+      l.of_drive(drive, [&](auto& d) { d.reboot(l.now, 100'000'000); });
       l.beats(200);
-      recovers(hw::safety_rule::silent, static_cast<int>(Drive));
-    };
-    check(std::index_sequence<0>(), 38);
-    check(std::index_sequence<2>(), 0x1000);
-    check(std::index_sequence<3>(), 0x1000);
-    check(std::index_sequence<4>(), 0x2310);
-    check(std::index_sequence<5>(), 0x2310);
-    check(std::index_sequence<6>(), 2);
+      recovers(hw::safety_rule::silent);
+    }
   }
 
   TEST_CASE("pressed, the emergency stop lets no drive of any family be enabled, nor does a start") {
@@ -190,7 +153,7 @@ TEST_SUITE("families of drives") {
       l.controller.start();
       for (int k = 0; k < 900; ++k) {
         l.beats(1);
-        REQUIRE(l.hardware.enabled_count() == 0);
+        REQUIRE(l.enabled_count() == 0);
         REQUIRE(l.all_give_way());
       }
       CHECK(l.synchronizer().refusal() == hw::safety_rule::pressed);
@@ -199,12 +162,12 @@ TEST_SUITE("families of drives") {
       l.of_drive(missing, [](auto& d) { d.go_silent(false); });
       for (int k = 0; k < 200; ++k) {
         l.beats(1);
-        REQUIRE(l.hardware.enabled_count() == 0);
+        REQUIRE(l.enabled_count() == 0);
       }
       if (missing % 3 != 0) continue;
       l.stop().release();
       l.beats(100);
-      CHECK(l.hardware.enabled_count() == 0);  // nor does the release alone enable anything
+      CHECK(l.enabled_count() == 0);  // nor does the release alone enable anything
       l.controller.stop();
       l.controller.start();
       l.beats(1500);
@@ -224,17 +187,17 @@ TEST_SUITE("families of drives") {
       l.controller.start();
       l.beats(300);
       REQUIRE(l.synchronizer().phase() == hw::motion_phase::enabling);
-      const auto enabled = l.hardware.enabled();
+      const auto enabled = l.enabled();
       for (std::size_t i = 0; i < count; ++i) were_enabled[i] |= enabled[i];
-      CHECK(l.hardware.enabled_count() >= 7);
+      CHECK(l.enabled_count() >= 7);
       l.stop().press();
       l.beats(10);
-      CHECK(l.hardware.enabled_count() == 0);
+      CHECK(l.enabled_count() == 0);
       CHECK(l.all_give_way());
       l.of_drive(missing, [](auto& d) { d.go_silent(false); });
       for (int k = 0; k < 900; ++k) {
         l.beats(1);
-        REQUIRE(l.hardware.enabled_count() == 0);
+        REQUIRE(l.enabled_count() == 0);
         REQUIRE(l.all_give_way());
       }
       CHECK(l.synchronizer().refusal() == hw::safety_rule::pressed);
@@ -249,14 +212,14 @@ TEST_SUITE("families of drives") {
       l.controller.start();
       l.beats(1200);
       REQUIRE(l.stop().mode() == hw::motion_mode::run);
-      l.hardware.speed_scale[drive] = none;
+      l.speed_scale[drive] = none;
       l.beats(5);
       CHECK(l.stop().mode() == hw::motion_mode::damped);
       CHECK(l.stop().first_cause().rule == hw::safety_rule::implausible);
       CHECK(l.stop().first_cause().joint == static_cast<int>(drive));
       l.beats(5);
       CHECK(l.all_give_way());
-      l.hardware.speed_scale[drive] = 1;
+      l.speed_scale[drive] = 1;
       l.controller.stop();
       l.controller.start();
       l.beats(1500);
@@ -267,7 +230,7 @@ TEST_SUITE("families of drives") {
 
   TEST_CASE("a drive that does not report its velocity is not enabled") {
     lab l;
-    l.hardware.speed_scale[2] = none;
+    l.speed_scale[2] = none;
     l.controller.start();
     l.beats(1000);
     CHECK(l.synchronizer().refusal() == hw::safety_rule::enabling);
@@ -282,7 +245,7 @@ TEST_SUITE("families of drives") {
                                         .end = 0,
                                         .frames = hw::can_filter{hw::standard(0x281)}}}};
     lab late;
-    late.hardware.wires[2] = hw::virtual_bus({.script = lost});
+    late.wires[2].follow(lost);
     late.controller.start();
     late.beats(1200);
     REQUIRE(late.stop().mode() == hw::motion_mode::run);
@@ -293,7 +256,7 @@ TEST_SUITE("families of drives") {
 
     lost[0].from = 0;
     lab never;
-    never.hardware.wires[2] = hw::virtual_bus({.script = lost});
+    never.wires[2].follow(lost);
     never.controller.start();
     never.beats(1000);
     CHECK(never.synchronizer().refusal() == hw::safety_rule::enabling);

@@ -54,18 +54,18 @@ TEST_SUITE("safety chain") {
     run.controller.load();
     for (int k = 0; k < 50; ++k) run.step(false);
     CHECK(!std::get<0>(run.far.drives).enabled());
-    for (const auto& w : run.wires) CHECK(const_cast<hil::wire&>(w).end(0).counters().sent == 0);
+    for (const auto& w : run.wires) CHECK(const_cast<hw::virtual_bus&>(w).end(0).counters().sent == 0);
   }
 
   TEST_CASE("a start makes no jump: each joint begins where it is") {
     hil::in_memory<> run;
     run.controller.load();
     run.controller.start();
-    auto before = run.robot.joints();
+    auto before = run.plant.motions();
     double fastest = 0;
     for (int k = 0; k < 150; ++k) {  // the gait waits for 0.2 s
       run.step();
-      const auto now = run.robot.joints();
+      const auto now = run.plant.motions();
       for (std::size_t i = 0; i < 8; ++i) fastest = std::max(fastest, std::abs(now[i].torque));
       before = now;
     }
@@ -119,7 +119,7 @@ TEST_SUITE("safety chain") {
 
     trotting<> faulty;
     faulty.far.board_silent = true;  // the test sends in its place
-    auto reading = faulty.robot.board();
+    auto reading = faulty.plant.board();
     reading.status = 1;
     faulty.wires[4].end(2).send(hil::board::frames(reading, 0));
     go(faulty, 2);
@@ -295,7 +295,7 @@ TEST_SUITE("safety chain") {
     REQUIRE(drives.phase() == hw::motion_phase::running);
     for (std::size_t i = 0; i < 4; ++i) {
       CHECK(run.laws[i].stiffness > 0);
-      CHECK(std::abs(run.laws[i].position - run.robot.joints()[i].position) < 0.05);
+      CHECK(std::abs(run.laws[i].position - run.plant.motions()[i].position) < 0.05);
     }
     go(run, 2500);
     CHECK(run.controller.get<"robot.emergency_stop">().mode() == hw::motion_mode::run);
@@ -374,7 +374,7 @@ TEST_SUITE("safety chain") {
     const double degree = cca::sim::degrees(1);
     const auto& report = run.controller.get<"robot.synchronizer">().report(0);
     CHECK(hil::left_front_hip::angle_of(report.position) ==
-          doctest::Approx(run.robot.joints()[0].position).epsilon(0.01));
+          doctest::Approx(run.plant.motions()[0].position).epsilon(0.01));
     CHECK(std::abs(run.laws[0].position - (trot::gait().p.front.hip + 4 * degree)) < 1 * degree);
   }
 

@@ -9,7 +9,7 @@
 
 #include <cca/config.hpp>
 
-#include "../../laws/damiao_oncilla.hpp"
+#include "../../../examples/hardware_in_the_loop/robot.hpp"
 #include "../../laws/robot_lab.hpp"
 
 namespace {
@@ -29,8 +29,7 @@ struct poses {
   oncilla::leg_angles::vector_type angles = [] {
     oncilla::leg_angles::vector_type v;
     for (std::size_t i = 0; i < 8; ++i)
-      v[static_cast<Eigen::Index>(i)] =
-          (damiao::joints::angle[i].lower + damiao::joints::angle[i].upper) / 2 + 0.15;
+      v[static_cast<Eigen::Index>(i)] = laws::middle_of<hil::joints>(i) + 0.15;
     return v;
   }();
   double abduction = 0;
@@ -41,36 +40,29 @@ struct architecture : cca::graph<cca::rate<1000>,
                                  cca::node<"poses", poses>,
                                  cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
                                  cca::node<"spread", cca::limiter<oncilla::abduction_angles>>,
-                                 cca::node<"robot", damiao::robot<lab_end>>,
+                                 cca::node<"robot", hil::oncilla<lab_end>>,
                                  cca::wire<"poses.angles", "limits.command">,
                                  cca::wire<"poses.abduction", "spread.command">,
                                  cca::wire<"limits.safe", "robot.command">,
                                  cca::wire<"spread.safe", "robot.abduction">> {};
 
-struct lab final : laws::robot_lab<damiao::joints, damiao::board, architecture, damiao::virtual_drive> {
-  explicit lab(bool one_shot = true) : robot_lab(one_shot) { controller.load(); }
+struct lab : laws::robot_lab<hil::oncilla<lab_end>, architecture, hil::virtual_damiao> {
+  explicit lab(bool one_shot = true) : robot_lab(one_shot) {
+    controller.load();
+    heard = [this](std::size_t bus, const hw::can_frame& f) {
+      std::array<double, 4> targets;
+      abduction_frames += bus == hil::board::bus && hil::board::abducted(f, targets);
+    };
+  }
   void run() {
     controller.start();
     beats(500);
     REQUIRE(phase() == hw::motion_phase::running);
     REQUIRE(stop().mode() == hw::motion_mode::run);
-    REQUIRE(enabled() == 8);
+    REQUIRE(enabled_count() == 8);
   }
   poses& wanted() { return controller.get<"poses">(); }
   int abduction_frames = 0;
-
-protected:
-  void heard(std::size_t bus, const hw::can_frame& f) override {
-    std::array<double, 4> targets;
-    abduction_frames += bus == damiao::board::bus && damiao::board::abducted(f, targets);
-  }
-};
-
-// A pace in virtual time: the drives' millisecond.
-struct lab_pace {
-  lab& of;
-  void begin() {}
-  void wait(std::int64_t) { of.rest_of_beat(); }
 };
 
 // Another node holds bus 0 for 2 ms: with frames of the highest priority, back to back.
@@ -102,7 +94,7 @@ TEST_SUITE("stopping") {
       CHECK(l.synchronizer().stopping());
       l.beats(100);
       CHECK_FALSE(l.synchronizer().stopping());
-      CHECK(l.enabled() == 0);
+      CHECK(l.enabled_count() == 0);
       for (std::size_t i = 0; i < 8; ++i) CHECK_FALSE(l.synchronizer().unconfirmed(i));
     }
   }
@@ -112,14 +104,14 @@ TEST_SUITE("stopping") {
     l.run();
     l.controller.stop();
     l.beats(hw::stop_sequence<8>::damping_beats - 1);
-    REQUIRE(l.enabled() == 8);
+    REQUIRE(l.enabled_count() == 8);
     for (int k = 0; k < 3; ++k) {
       l.controller.step();
       hold_bus(l);  // it wins the arbitration against the frames of the controller
       l.rest_of_beat();
     }
     l.beats(30);
-    CHECK(l.enabled() == 0);
+    CHECK(l.enabled_count() == 0);
     CHECK_FALSE(l.synchronizer().stopping());
   }
 
@@ -133,15 +125,15 @@ TEST_SUITE("stopping") {
       l.beat();
       REQUIRE(l.stiffest() == 0);
       REQUIRE(l.least_damping() > 0.3);
-      REQUIRE(l.enabled() == 8);
+      REQUIRE(l.enabled_count() == 8);
     }
     l.beats(200);
-    CHECK(l.enabled() == 0);
+    CHECK(l.enabled_count() == 0);
     CHECK_FALSE(l.synchronizer().stopping());
     l.wanted().broken = false;
     l.controller.resume();
     l.beats(100);
-    CHECK(l.enabled() == 0);  // resuming alone moves nothing
+    CHECK(l.enabled_count() == 0);  // resuming alone moves nothing
     l.controller.stop();
     l.run();
   }
@@ -156,7 +148,7 @@ TEST_SUITE("stopping") {
       if (k < 5) continue;  // the last set points stay for three beats
       REQUIRE(l.stiffest() == 0);
       REQUIRE(l.least_damping() > 0.3);
-      REQUIRE(l.enabled() == 8);
+      REQUIRE(l.enabled_count() == 8);
     }
     CHECK(l.phase() == hw::motion_phase::running);
     l.beats(10);
@@ -168,7 +160,7 @@ TEST_SUITE("stopping") {
     lab l;
     l.run();
     const std::int64_t last = cca::detail::stop_progress;
-    const auto good = hw::shut_down(l.controller, lab_pace{l});
+    const auto good = hw::shut_down(l.controller, l.pace());
     CHECK(cca::detail::stop_progress > last);  // a second SIGINT lets it go on
     CHECK(good.complete());
     CHECK(good.text() ==
@@ -176,13 +168,13 @@ TEST_SUITE("stopping") {
           "left_front_knee, right_front_knee, left_hind_knee, right_hind_knee");
     CHECK(good.beats > 1000);
     CHECK(good.beats < 1100);
-    CHECK(l.enabled() == 0);
+    CHECK(l.enabled_count() == 0);
 
     l.run();
     std::get<6>(l.far.drives).go_silent(true);
     l.wanted().broken = true;
     l.beat();
-    const auto bad = hw::shut_down(l.controller, lab_pace{l});
+    const auto bad = hw::shut_down(l.controller, l.pace());
     CHECK_FALSE(bad.complete());
     REQUIRE(bad.unconfirmed == std::vector<std::string>{"left_hind_knee"});
     CHECK(
@@ -191,7 +183,7 @@ TEST_SUITE("stopping") {
         "left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee, right_front_knee, "
         "right_hind_knee");
     CHECK(bad.beats < 1600);
-    CHECK(hw::shut_down(l.controller, lab_pace{l}).beats == 0);  // there is nothing left to do
+    CHECK(hw::shut_down(l.controller, l.pace()).beats == 0);  // there is nothing left to do
   }
 
   TEST_CASE("a tripped emergency stop goes the same way") {
@@ -199,10 +191,10 @@ TEST_SUITE("stopping") {
     l.run();
     l.stop().press();
     l.beats(900);
-    CHECK(l.enabled() == 8);
+    CHECK(l.enabled_count() == 8);
     CHECK(l.least_damping() > 0.3);
     l.beats(200);
-    CHECK(l.enabled() == 0);
+    CHECK(l.enabled_count() == 0);
     CHECK(l.stop().first_cause().rule == hw::safety_rule::pressed);
     CHECK(l.stop().mode() == hw::motion_mode::damped);
   }
@@ -216,7 +208,7 @@ TEST_SUITE("stopping") {
     bool was_off = false;
     for (int k = 0; k < 60; ++k) {
       l.beat();
-      was_off = was_off || l.enabled() == 0;
+      was_off = was_off || l.enabled_count() == 0;
     }
     CHECK(was_off);
     CHECK(l.phase() == hw::motion_phase::running);
@@ -231,7 +223,7 @@ TEST_SUITE("the pressed emergency stop") {
     l.controller.start();
     for (int k = 0; k < 900; ++k) {
       l.beat();
-      REQUIRE(l.enabled() == 0);
+      REQUIRE(l.enabled_count() == 0);
     }
     CHECK(l.synchronizer().refusal() == hw::safety_rule::pressed);
     CHECK(hw::text_of(l.synchronizer().failure()) ==
@@ -240,10 +232,10 @@ TEST_SUITE("the pressed emergency stop") {
     l.controller.start();  // the button is not released by a start
     std::get<3>(l.far.drives).go_silent(false);
     l.beats(100);
-    CHECK(l.enabled() == 0);
+    CHECK(l.enabled_count() == 0);
     l.stop().release();
     l.beats(100);
-    CHECK(l.enabled() == 0);
+    CHECK(l.enabled_count() == 0);
     l.controller.stop();
     l.run();
   }
@@ -257,7 +249,7 @@ TEST_SUITE("the pressed emergency stop") {
     l.beats(300);
     CHECK(l.abduction_frames == 0);  // the drives are not enabled yet
     std::get<3>(l.far.drives).go_silent(false);
-    l.abducted = {0.1, 0.1, 0.1, 0.1};
+    l.plant.abducted = {0.1, 0.1, 0.1, 0.1};
     l.beats(20);
     REQUIRE(l.phase() == hw::motion_phase::running);
     CHECK(l.abduction_frames > 0);
@@ -280,7 +272,7 @@ TEST_SUITE("the pressed emergency stop") {
 TEST_SUITE("starting") {
   TEST_CASE("a joint that is farther outside than the tolerance: refused, with joint, angle and range") {
     lab l;
-    l.put(0, damiao::joints::angle[0].upper + 0.6);
+    l.plant.put(0, hil::joints::angle[0].upper + 0.6);
     l.controller.start();
     for (int k = 0; k < 200; ++k) {
       l.beat();
@@ -291,8 +283,8 @@ TEST_SUITE("starting") {
           "left_front_hip is at 2.500 rad, outside of its range -1.200 to 1.900 rad by more than 0.50 rad: "
           "turn it "
           "back by hand, or correct its offset");
-    CHECK(l.enabled() == 0);
-    l.put(0, 1);
+    CHECK(l.enabled_count() == 0);
+    l.plant.put(0, 1);
     l.controller.stop();
     l.run();
   }
@@ -301,9 +293,9 @@ TEST_SUITE("starting") {
     for (const double speed : {20.0, 30.0, -20.0}) {
       CAPTURE(speed);
       lab l;
-      l.put(4, damiao::joints::angle[4].lower + 0.2);
-      l.motors[4].now.velocity = speed;
-      l.motors[4].inertia = 1;  // goes on turning
+      l.plant.put(4, hil::joints::angle[4].lower + 0.2);
+      l.plant.motors[4].now.velocity = speed;
+      l.plant.motors[4].inertia = 1;  // goes on turning
       l.controller.start();
       for (int k = 0; k < 100; ++k) {
         l.beat();
@@ -318,8 +310,8 @@ TEST_SUITE("starting") {
           text.ends_with(" rad/s, faster than its axis allows (-16.000 to 16.000 rad/s): stop its motion, "
                          "then start again"));
       CHECK(std::abs(l.synchronizer().failure().angle - speed) < 0.1 * std::abs(speed));
-      l.motors[4].inertia = 0.01;
-      l.put(4, damiao::joints::angle[4].lower + 0.2);
+      l.plant.motors[4].inertia = 0.01;
+      l.plant.put(4, hil::joints::angle[4].lower + 0.2);
       l.controller.stop();
       l.run();
     }
@@ -327,34 +319,34 @@ TEST_SUITE("starting") {
 
   TEST_CASE("a joint that turns as fast as its axis allows is started") {
     lab l;
-    l.put(4, damiao::joints::angle[4].lower + 0.1);
-    l.motors[4].now.velocity = 15;
+    l.plant.put(4, hil::joints::angle[4].lower + 0.1);
+    l.plant.motors[4].now.velocity = 15;
     l.controller.start();
     for (int k = 0; k < 60 && l.phase() < hw::motion_phase::begins; ++k) l.beat();
     CHECK(l.phase() == hw::motion_phase::running);
-    CHECK(l.motors[4].now.velocity > 10);
+    CHECK(l.plant.motors[4].now.velocity > 10);
   }
 
   TEST_CASE("a soft stop while a joint comes in from outside holds it where it is") {
     for (const double outside : {0.1, 0.3, 0.45}) {
       CAPTURE(outside);
       lab l;
-      l.put(0, damiao::joints::angle[0].upper + outside);
+      l.plant.put(0, hil::joints::angle[0].upper + outside);
       l.controller.start();
       while (l.phase() != hw::motion_phase::running) l.beat();
       l.beats(20);
-      const double where = l.motors[0].now.position;
-      REQUIRE(where > damiao::joints::angle[0].upper);
+      const double where = l.plant.motors[0].now.position;
+      REQUIRE(where > hil::joints::angle[0].upper);
       l.stop().stop_softly();
       double fastest = 0;
       for (int k = 0; k < 90; ++k) {
         l.beat();
         REQUIRE(l.stop().mode() == hw::motion_mode::soft);
-        if (k > 10) fastest = std::max(fastest, std::abs(l.motors[0].now.velocity));
-        if (l.command[0].stiffness > 0.2) CHECK(std::abs(l.command[0].position - where) < 0.03);
+        if (k > 10) fastest = std::max(fastest, std::abs(l.plant.motors[0].now.velocity));
+        if (l.laws[0].stiffness > 0.2) CHECK(std::abs(l.laws[0].position - where) < 0.03);
       }
       CHECK(fastest < 1);
-      CHECK(std::abs(l.motors[0].now.position - where) < 0.05);
+      CHECK(std::abs(l.plant.motors[0].now.position - where) < 0.05);
     }
   }
 
@@ -365,28 +357,28 @@ TEST_SUITE("starting") {
         CAPTURE(load);
         lab l;
         for (std::size_t i = 0; i < 2; ++i) {
-          l.put(0, damiao::joints::angle[0].upper + outside);
-          l.put(1, damiao::joints::angle[1].lower - outside);
+          l.plant.put(0, hil::joints::angle[0].upper + outside);
+          l.plant.put(1, hil::joints::angle[1].lower - outside);
         }
         l.controller.start();
         double fastest = 0, first_torque = -1;
         for (int k = 0; k < 1500; ++k) {
           l.beat();
-          const bool entering = l.motors[0].now.position > damiao::joints::angle[0].upper ||
-                                l.motors[1].now.position < damiao::joints::angle[1].lower;
+          const bool entering = l.plant.motors[0].now.position > hil::joints::angle[0].upper ||
+                                l.plant.motors[1].now.position < hil::joints::angle[1].lower;
           for (const std::size_t i : {0u, 1u}) {
-            if (entering) fastest = std::max(fastest, std::abs(l.motors[i].now.velocity));
-            if (first_torque < 0 && l.command[i].stiffness > 0)
-              first_torque = std::abs(l.motors[i].now.torque);
+            if (entering) fastest = std::max(fastest, std::abs(l.plant.motors[i].now.velocity));
+            if (first_torque < 0 && l.laws[i].stiffness > 0)
+              first_torque = std::abs(l.plant.motors[i].now.torque);
           }
           if (l.phase() == hw::motion_phase::running)
             for (const std::size_t i : {0u, 1u})
-              l.motors[i].now.velocity += load * 1e-3;  // something pulls at it
+              l.plant.motors[i].now.velocity += load * 1e-3;  // something pulls at it
         }
         CHECK(l.phase() == hw::motion_phase::running);
         CHECK(fastest < 2);
         CHECK(first_torque < 0.6);
-        CHECK(l.motors[0].now.position == doctest::Approx(l.wanted().angles[0]).epsilon(0.05));
+        CHECK(l.plant.motors[0].now.position == doctest::Approx(l.wanted().angles[0]).epsilon(0.05));
       }
   }
 
@@ -410,10 +402,10 @@ TEST_SUITE("starting") {
       CAPTURE(turns);
       lab l;
       l.speed_scale[1] = -1;
-      l.motors[1].now.velocity = 3, l.motors[1].friction = 0;
+      l.plant.motors[1].now.velocity = 3, l.plant.motors[1].friction = 0;
       l.controller.start();
       l.beats(turns);
-      l.motors[1].now.velocity = 0;
+      l.plant.motors[1].now.velocity = 0;
       CHECK((l.synchronizer().refusal() == hw::safety_rule::none) == (turns == 15));  // it has not failed yet
       l.beats(1100);
       CHECK(l.phase() == hw::motion_phase::stopped);
@@ -439,12 +431,12 @@ TEST_SUITE("starting") {
     double most = 0;
     for (int k = 0; k < 50; ++k) {
       l.beat();
-      most = std::max(most, std::abs(l.motors[0].now.torque));
+      most = std::max(most, std::abs(l.plant.motors[0].now.torque));
     }
     CHECK(most < 0.5);
     CHECK(l.stop().mode() == hw::motion_mode::run);
     l.synchronizer().p.offset[0] = 0;
-    hw::shut_down(l.controller, lab_pace{l});
+    hw::shut_down(l.controller, l.pace());
     l.controller.set<"robot.synchronizer">(other);
     CHECK(l.synchronizer().p.offset[0] == 0.5);
   }

@@ -27,8 +27,8 @@ TEST_SUITE("hardware in the loop") {
       if (k > 20) REQUIRE_MESSAGE(stop.first_cause().rule == cca::hardware::safety_rule::none, k);
     }
     CHECK(stop.mode() == cca::hardware::motion_mode::run);
-    CHECK(!run.robot.world.fallen());
-    MESSAGE("distance " << run.robot.world.trunk_position()[0] << " m");
-    CHECK(run.robot.world.trunk_position()[0] > 2.0);
+    CHECK(!run.plant.world.fallen());
+    MESSAGE("distance " << run.plant.world.trunk_position()[0] << " m");
+    CHECK(run.plant.world.trunk_position()[0] > 2.0);
   }
 }

@@ -19,7 +19,7 @@ std::vector<std::uint64_t> worlds_of(Run& run, std::int64_t beats) {
   run.controller.load();
   run.controller.start();
   run.run(beats, [&](const auto& c) {
-    if (c.beat_index() % 10 == 0) worlds.push_back(run.robot.world.hash());
+    if (c.beat_index() % 10 == 0) worlds.push_back(run.plant.world.hash());
   });
   return worlds;
 }
@@ -35,9 +35,9 @@ TEST_SUITE("the trot on drives in two environments") {
     CHECK(worlds == worlds_of(one, 5000));
     CHECK_EQ(std::string(two.controller.fault().reason()), "");
     CHECK(two.controller.get<"robot.emergency_stop">().mode() == cca::hardware::motion_mode::run);
-    CHECK(!two.robot.world.fallen());
-    MESSAGE("distance " << two.robot.world.trunk_position()[0] << " m");
-    CHECK(two.robot.world.trunk_position()[0] > 2.0);
+    CHECK(!two.plant.world.fallen());
+    MESSAGE("distance " << two.plant.world.trunk_position()[0] << " m");
+    CHECK(two.plant.world.trunk_position()[0] > 2.0);
     CHECK(two.shut_down().complete());
     CHECK(one.shut_down().complete());
   }

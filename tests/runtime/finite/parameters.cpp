@@ -8,7 +8,7 @@
 #include <cca/skeleton/blend.hpp>
 #include <cca/skeleton/switch_between.hpp>
 
-#include "../../laws/damiao_oncilla.hpp"
+#include "../../../examples/hardware_in_the_loop/robot.hpp"
 #include "../../laws/parameter_laws.hpp"
 
 namespace {
@@ -41,8 +41,8 @@ TEST_CASE("parameters begin with values: skeletons, bodies and guards") {
   laws::begins_with_values<cca::gravity_parameters>();
   laws::begins_with_values<cca::ode_settling>();
   laws::begins_with_values<cca::learned_files>();
-  check<cca::hardware::stale_guard<damiao::joints>>();
-  check<cca::hardware::rate_guard<damiao::joints>>();
+  check<cca::hardware::stale_guard<hil::joints>>();
+  check<cca::hardware::rate_guard<hil::joints>>();
 }
 
 TEST_CASE("parameters begin with values: a field without one is noticed") {

@@ -57,24 +57,20 @@ struct right_hind_hip : on_bus<oncilla::right_hind_hip, 11, 3, straight, at_hip>
 struct right_hind_knee : on_bus<oncilla::right_hind_knee, 12, 3, bent, at_knee> {};
 struct board : hw::robot_fd_board<0x40, 4, 1, 6> {};  // four feet and the trunk, on bus 6
 
-template <class... Joints>
-struct robot_with {
-  using joints = hw::joint_list<Joints...>;
-  template <class Bus>
-  using on = hw::robot<oncilla::description, Bus, Joints..., board>;
-};
-using with_drives = robot_with<left_front_abduction,
-                               left_front_hip,
-                               left_front_knee,
-                               right_front_abduction,
-                               right_front_hip,
-                               right_front_knee,
-                               left_hind_abduction,
-                               left_hind_hip,
-                               left_hind_knee,
-                               right_hind_abduction,
-                               right_hind_hip,
-                               right_hind_knee>;
+using joints = hw::joint_list<left_front_abduction,
+                              left_front_hip,
+                              left_front_knee,
+                              right_front_abduction,
+                              right_front_hip,
+                              right_front_knee,
+                              left_hind_abduction,
+                              left_hind_hip,
+                              left_hind_knee,
+                              right_hind_abduction,
+                              right_hind_hip,
+                              right_hind_knee>;
+template <class Bus>
+struct robot : hw::robot<oncilla::description, Bus, joints, board> {};
 // [oncilla on drives end]
 
 }  // namespace oncilla_on_drives
@@ -83,8 +79,8 @@ using namespace oncilla_on_drives;
 
 namespace {
 
-struct robot : with_drives::on<hw::virtual_bus_end> {};
-struct trot_on_drives : trot_of<robot> {};
+using on_virtual_buses = robot<hw::virtual_bus_end>;
+struct trot_on_drives : trot_of<on_virtual_buses> {};
 static_assert(cca::well_formed<trot_on_drives>);
 
 // A damiao drive stops after 4 ms without a set point.
@@ -92,8 +88,9 @@ template <class Drive>
 struct virtual_damiao : hw::virtual_mit<Drive, 4'000'000> {};
 
 struct lab {
-  static constexpr std::size_t count = with_drives::joints::count;
-  static_assert(count == 12 && hw::virtual_hardware<robot, sim::plant<oncilla::description>>::buses == 7);
+  static constexpr std::size_t count = joints::count;
+  static_assert(count == 12 &&
+                hw::virtual_hardware<on_virtual_buses, sim::plant<oncilla::description>>::buses == 7);
 
   explicit lab(sim::robot_world&& on_ground) {
     far.plant.hold = sim::held_by::stand;  // until all drives have been enabled
@@ -114,7 +111,7 @@ struct lab {
   }
 
   cca::controller<trot_on_drives> controller{};
-  hw::virtual_hardware<robot, sim::plant<oncilla::description>, virtual_damiao> far{
+  hw::virtual_hardware<on_virtual_buses, sim::plant<oncilla::description>, virtual_damiao> far{
       controller.get<"robot.body.synchronizer">()};
 };
 

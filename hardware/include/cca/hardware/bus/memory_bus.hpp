@@ -63,6 +63,12 @@ public:
   end_type end(std::size_t index) { return {*this, index}; }
   std::int64_t time() const { return clock; }
 
+  // From now on these faults happen, and no others.
+  void follow(std::span<const bus_fault> script) {
+    options.script = script;
+    apply_script();
+  }
+
   // Simulates everything up to `now`. An earlier `now` changes nothing.
   void advance(std::int64_t now) {
     while (clock <= now) {

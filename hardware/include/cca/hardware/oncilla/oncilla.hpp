@@ -5,9 +5,9 @@
 //   {};
 //
 // It is hardware::robot of robots/oncilla/as_built.hpp, which has the ports. Bus: any CanBus. Drives: eight
-// joints (joint.hpp), those of robots::oncilla::leg_axes, then the sensor board (sensor_board.hpp), whose
-// servos move the abductions. The limits of the axes bound it; robots/oncilla/body.hpp says which of them are
-// chosen.
+// joints (joint.hpp) or a joint_list, those of robots::oncilla::leg_axes, then the sensor board
+// (sensor_board.hpp), whose servos move the abductions. The limits of the axes bound it;
+// robots/oncilla/body.hpp says which of them are chosen.
 //
 // Errors: those of robot.hpp. Example: examples/hardware_in_the_loop; docs/hardware.md.
 #pragma once

@@ -6,14 +6,14 @@
 //
 // R: a description (cca/robots/description.hpp), whose rate is 200 Hz to 4 kHz, if its buses carry that
 // (bus.overloaded). Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each measured axis of R's body,
-// in their order; then a board (boards/), if R has sensors. If its servos move some of the axes, the joints
-// are those of the others, in any order. Ports, nodes and wires are those of every described
-// robot (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the joints want and
-// the drives, and the limits of the axes bound it.
+// in their order, one by one or as a joint_list; then a board (boards/), if R has sensors. If its servos move
+// some of the axes, the joints are those of the others, in any order. Ports, nodes and wires are those of
+// every described robot (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the
+// joints want and the drives, and the limits of the axes bound it.
 //
-// A drive with stiffness (MIT, moteus) follows all commands; one that takes torque alone (CiA 402 and ODrive
-// in torque mode) too: the synchronizer makes its torque from the measured angle and velocity. One with gains
-// of its own follows positions, or velocities: describe R with these commands alone.
+// A drive with stiffness (MIT, moteus, RobStride) follows all commands; one that takes torque alone (CiA 402
+// and ODrive in torque mode) too: the synchronizer makes its torque from the measured angle and velocity. One
+// with gains of its own follows positions, or velocities: describe R with these commands alone.
 //
 // Give it its buses: controller.get<"robot.synchronizer">().connect(bus0, ...). Starting the controller
 // enables the drives. Until they are enabled, and after a trip, the controller runs and nothing moves.
@@ -84,5 +84,9 @@ struct robot
     : detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::type,
       detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::
           parts {};
+
+// The joints as one list.
+template <class R, class Bus, class... J, class... Board>
+struct robot<R, Bus, joint_list<J...>, Board...> : robot<R, Bus, J..., Board...> {};
 
 }  // namespace cca::hardware

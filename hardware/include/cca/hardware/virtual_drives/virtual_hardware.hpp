@@ -12,13 +12,15 @@
 //                                               and whether its drive is enabled
 //             motions()                         position, velocity and torque of each joint: rad, rad/s, N m
 //             feel(reading)                     optional: what the board reads
+//             move_servos(targets)              optional: rad, of the servos of an Oncilla's board
 //             cca::sim::plant (the simulator) is one; virtual_motors below another, a motor a joint
 //   Virtual   the virtual drive for each drive (virtual_of.hpp)
 //
-// step(tap) calls tap(bus, frame) for each frame of the controller. `wires`: the third end of each bus is for
-// spies and for nodes that disturb. `speed_scale`: of the velocities that the drives report, for tests.
-// Neither copied nor moved: its parts point to one another. Example: tests/runtime/robot_on_drives;
-// docs/hardware.md.
+// step(tap) calls tap(bus, frame) for each frame of the controller. pace() is the pace of runs in the time of
+// these drives: `controller.run(cca::for_<10>{}, far.pace())`, `shut_down(controller, far.pace())`. `wires`:
+// the third end of each bus is for spies and for nodes that disturb. `speed_scale`: of the velocities that
+// the drives report, for tests. Neither copied nor moved: its parts point to one another. Example:
+// tests/runtime/robot_on_drives; docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -87,10 +89,15 @@ public:
   static constexpr std::size_t count = drives_and_board::count, buses = drives_and_board::buses;
   static constexpr std::int64_t beat = detail::beat_of<Robot>::ns;
 
-  template <class Synchronizer>
-  explicit virtual_hardware(Synchronizer& synchronizer) {
-    connect(synchronizer);
+  // `each`: of each bus, but the rates are those of its drives, and the seeds grow with its number.
+  explicit virtual_hardware(const memory_bus_options& each = {}) : wires(made_wires(each)) {
     std::apply([&](auto&... end) { far.connect(end...); }, ends);
+  }
+  template <class Synchronizer>
+    requires requires(const Synchronizer& s) { s.phase(); }
+  explicit virtual_hardware(Synchronizer& synchronizer, const memory_bus_options& each = {})
+      : virtual_hardware(each) {
+    connect(synchronizer);
   }
   virtual_hardware(const virtual_hardware&) = delete;
   virtual_hardware& operator=(const virtual_hardware&) = delete;
@@ -103,10 +110,11 @@ public:
 
   template <class Tap>
   void step(Tap tap) {
-    const std::int64_t heard = now + beat / 2;
+    const std::int64_t heard = now + answers_at;
     go_to(heard);
     far.listen(heard, tap);
     laws = far.laws(heard);
+    if constexpr (requires { plant.move_servos(far.abduction); }) plant.move_servos(far.abduction);
     plant.advance(laws, enabled(), 1e-9 * static_cast<double>(beat));
     const auto moved = plant.motions();
     std::array<drive_motion, count> motions;
@@ -122,23 +130,39 @@ public:
     step([](std::size_t, const can_frame&) {});
   }
 
+  // Instead of the clock's time that of the drives passes.
+  class time_of_drives {
+  public:
+    explicit time_of_drives(virtual_hardware& all) : far(&all) {}
+    void begin() { begun = far->now; }
+    void wait(std::int64_t since) {
+      while (far->now < begun + since) far->step();
+    }
+
+  private:
+    virtual_hardware* far;
+    std::int64_t begun = 0;
+  };
+  time_of_drives pace() { return time_of_drives(*this); }
+
   std::array<bool, count> enabled() const {
     return std::apply([](const auto&... drive) { return std::array{drive.enabled()...}; }, far.drives);
   }
   std::size_t enabled_count() const { return static_cast<std::size_t>(std::ranges::count(enabled(), true)); }
 
-  std::array<virtual_bus, buses> wires = made_wires();
+  std::array<virtual_bus, buses> wires;
   drives_and_board far{};
   Plant plant{};
   std::array<drive_command, count> laws{};  // of the drives in the last beat, in numbers of the joints
   std::array<double, count> speed_scale = ones();
-  std::int64_t now = 0;  // ns
+  std::int64_t now = 0;                // ns
+  std::int64_t answers_at = beat / 2;  // ns into a beat: when the drives answer
 
 private:
-  static std::array<virtual_bus, buses> made_wires() {
+  static std::array<virtual_bus, buses> made_wires(const memory_bus_options& each) {
     constexpr auto rates = detail::rates_of_buses<buses, board>(joints());
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return std::array{virtual_bus({.rates = rates[I]})...};
+      return std::array{virtual_bus({rates[I], each.one_shot, each.seed + I, each.script})...};
     }(std::make_index_sequence<buses>());
   }
   static constexpr std::array<double, count> ones() {
