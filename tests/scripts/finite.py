@@ -13,6 +13,7 @@ import sys
 FOLDERS = ["adaptive", "adaptive/module", "mapping", "mapping/network", "motor", "motor/modules", "robot", "robot/compliance", "robot/dynamics"]
 TESTS = "tests/runtime/finite"
 FUNCTION = "functions and data, no component"
+MESSAGES = "messages of the compiler, nothing that runs"
 PART = "a graph of components that are tested by themselves"
 WITHOUT = {
     "adaptive/adaptive_component.hpp": PART,
@@ -51,6 +52,8 @@ WITHOUT = {
     "motor/spaces.hpp": FUNCTION,
     "robot/unreadable_fault.hpp": "reads a status and keeps a count",
     "robot/body.hpp": FUNCTION,
+    "robot/body_mistakes.hpp": MESSAGES,
+    "robot/limiter_mistakes.hpp": MESSAGES,
     "robot/body_components.hpp": "without a state: NaN passes",
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
@@ -88,6 +91,8 @@ SILENT = {
     "motor/modules/attractor_parameters.hpp": CONSTANTS,
     "motor/spaces.hpp": CONSTANTS,
     "robot/body.hpp": CONSTANTS,
+    "robot/body_mistakes.hpp": MESSAGES,
+    "robot/limiter_mistakes.hpp": MESSAGES,
     "robot/command_limits.hpp": CONSTANTS,
     "robot/watchdog.hpp": "looks at times only",
 }

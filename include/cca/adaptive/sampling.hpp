@@ -19,6 +19,7 @@
 #include <array>
 #include <cstdint>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/adaptive/training.hpp>
 
 namespace cca {
@@ -33,13 +34,22 @@ constexpr double mirrored(std::int64_t index, int base) {
   return sum;
 }
 
+template <int Count>
+struct too_many_dimensions {
+  static constexpr void tell(text& m) {
+    m << "cca::spread_point: points of " << Count
+      << " dimensions are wanted, and a Halton sequence covers at most 12 evenly: spread fewer at once";
+  }
+};
+
 }  // namespace detail
 
 // The point number `index` (from 0) of the sequence between `low` and `high`.
 template <detail::FixedVector Point>
 Point spread_point(const Point& low, const Point& high, std::int64_t index) {
-  static_assert(Point::SizeAtCompileTime <= static_cast<int>(detail::halton_bases.size()),
-                "cca::spread_point: too many dimensions; a Halton sequence covers at most 12 evenly");
+  static_assert(
+      detail::holds_or_tells<(Point::SizeAtCompileTime <= static_cast<int>(detail::halton_bases.size())),
+                             detail::too_many_dimensions<Point::SizeAtCompileTime>>::value);
   Point point;
   for (int i = 0; i < point.size(); ++i)
     point[i] = low[i] + (high[i] - low[i]) *

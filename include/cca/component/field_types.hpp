@@ -14,6 +14,7 @@
 #include <limits>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/quantity.hpp>
 
 namespace cca {
@@ -23,8 +24,21 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 namespace detail {
 
 template <class Type, Type Lower, Type Upper>
+struct bounds_swapped {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: the lower bound of a parameter, " << number(Lower)
+      << ", is above its upper bound, " << number(Upper) << ", so no value fits: write the lower one first";
+  }
+
+private:
+  static constexpr auto number(Type bound) {
+    if constexpr (std::is_floating_point_v<Type>) return static_cast<double>(bound);
+    else return static_cast<std::int64_t>(bound);
+  }
+};
+template <class Type, Type Lower, Type Upper>
 struct ranged {
-  static_assert(Lower <= Upper, "cca: the lower bound of a parameter is above its upper bound");
+  static_assert(holds_or_tells<(Lower <= Upper), bounds_swapped<Type, Lower, Upper>>::value);
   using value_type = Type;
   static constexpr Type lower = Lower, upper = Upper;
 

@@ -48,14 +48,6 @@ constexpr auto space_or_refused() {
 template <class Type>
 using checked_space = typename decltype(space_or_refused<Type>())::type;
 
-}  // namespace detail
-
-namespace detail {
-
-// Of the wrong length. Where a length is known only at run time, Eigen checks it.
-template <class Vector, int Size> concept Unfit =
-    Vector::SizeAtCompileTime != Size && Vector::SizeAtCompileTime != Eigen::Dynamic;
-
 // An enumerator that is no number by itself.
 template <class Type> concept Enumerator = std::is_enum_v<Type> && !std::is_convertible_v<Type, double>;
 
@@ -196,7 +188,9 @@ public:
   constexpr double& operator[](Axis) {
     static_assert(detail::holds_or_tells<space::axes::template contains<Axis>,
                                          detail::unknown_axis<space, Axis>>::value);
-    static_assert(space::size == space::axes::count, "cca::out: this domain type has no value per axis");
+    static_assert(
+        detail::holds_or_tells<(space::size == space::axes::count || !space::axes::template contains<Axis>),
+                               detail::no_number_per_axis<space>>::value);
     return coordinates[space::axes::template index_of<Axis>];
   }
   template <class Axis>

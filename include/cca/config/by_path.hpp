@@ -131,6 +131,14 @@ std::int64_t integer_in(const found_parameter& found, std::string_view path);
 double number_in_parameter(const found_parameter& found, std::string_view path);
 [[noreturn]] void refuse_type(const found_parameter& found, std::string_view path, const char* expected);
 
+template <class Type>
+struct read_as_other {
+  static constexpr void tell(text& m) {
+    m << "cca::controller::parameter: a parameter is read as `" << type_name<Type>()
+      << "`, which is neither std::string, bool, an integer nor a number: take one of these";
+  }
+};
+
 // As a file spells it, or as a number or bool.
 template <class Type, class Controller>
 Type parameter(const Controller& controller, std::string_view path) {
@@ -142,9 +150,9 @@ Type parameter(const Controller& controller, std::string_view path) {
     if (!std::in_range<Type>(value)) refuse_type(found, path, "an integer");
     return static_cast<Type>(value);
   } else {
-    static_assert(std::floating_point<Type>,
-                  "cca::controller::parameter<T>: T is std::string, bool, an integer or a number");
-    return static_cast<Type>(number_in_parameter(found, path));
+    static_assert(holds_or_tells<std::floating_point<Type>, read_as_other<Type>>::value);
+    if constexpr (std::floating_point<Type>) return static_cast<Type>(number_in_parameter(found, path));
+    else return Type{};
   }
 }
 

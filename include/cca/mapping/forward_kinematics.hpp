@@ -104,7 +104,7 @@ constexpr auto check_joints_within() {
 
 }  // namespace detail
 
-template <SerialChain Chain, class Joints, class Tip>
+template <class Chain, class Joints, class Tip>
 struct forward_kinematics {
   using checked = decltype(detail::check_tip<Chain, Tip>());
   using checked_too = decltype(detail::check_joints_within<Chain, Joints>());
@@ -113,6 +113,11 @@ struct forward_kinematics {
     return detail::tip_in<Tip>(
         chain_pose<Chain>(detail::reordered<typename Chain::axes, Joints>::from(angles.vector())).tip());
   }
+};
+template <class Type, class Joints, class Tip>
+  requires(!SerialChain<Type>)
+struct forward_kinematics<Type, Joints, Tip> : forward_kinematics<detail::mended_chain<Type>, Joints, Tip> {
+  static_assert(detail::holds_or_tells<false, detail::no_chain<Type>>::value);
 };
 
 }  // namespace cca

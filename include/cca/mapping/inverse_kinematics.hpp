@@ -65,7 +65,7 @@ constexpr auto check_joints() {
 
 }  // namespace detail
 
-template <SerialChain Chain, class Joints, class Tip, class Settings = damped_least_squares>
+template <class Chain, class Joints, class Tip, class Settings = damped_least_squares>
 class inverse_kinematics {
   using solver = typename detail::solver_of<Chain, Joints, Tip, Settings>::type;
   using limits = detail::chain_limits<Chain, Joints>;
@@ -112,6 +112,12 @@ private:
   vector last = limits::clamped(vector(vector::Zero()));
   [[no_unique_address]] solver search{};
   detail::reaching_counts missed{};
+};
+template <class Type, class Joints, class Tip, class Settings>
+  requires(!SerialChain<Type>)
+class inverse_kinematics<Type, Joints, Tip, Settings>
+    : public inverse_kinematics<detail::mended_chain<Type>, Joints, Tip, Settings> {
+  static_assert(detail::holds_or_tells<false, detail::no_chain<Type>>::value);
 };
 
 }  // namespace cca

@@ -177,7 +177,7 @@ template <class Chain, class Space> concept MovedWithin = reordered<typename Cha
 
 }  // namespace detail
 
-template <SerialChain Chain>
+template <class Chain>
 class chain_pose {
 public:
   static constexpr int size = Chain::axes::count;
@@ -206,6 +206,14 @@ public:
 
 private:
   std::array<detail::placed_link, count> links;
+};
+template <class Type>
+  requires(!SerialChain<Type>)
+class chain_pose<Type> : public chain_pose<detail::mended_chain<Type>> {
+  static_assert(detail::holds_or_tells<false, detail::no_chain<Type>>::value);
+
+public:
+  using chain_pose<detail::mended_chain<Type>>::chain_pose;
 };
 
 }  // namespace cca

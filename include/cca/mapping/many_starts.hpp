@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 #include <cca/mapping/reaching.hpp>
 
@@ -46,12 +47,20 @@ constexpr std::array<double, static_cast<std::size_t>(Size)> spread_of_starts() 
   return spread;
 }
 
+template <class Settings>
+struct too_little_search {
+  static constexpr void tell(text& m) {
+    m << "cca::inverse_kinematics: the settings " << type_name<Settings>() << " state " << Settings::starts
+      << " starts, " << Settings::steps_per_beat << " steps per beat and " << Settings::iterations
+      << " iterations: make them at least 1, 8 and 8";
+  }
+};
+
 template <class Chain, class Joints, class Tip, class Settings>
 class many_starts {
   static_assert(
-      Settings::starts >= 1 && Settings::steps_per_beat >= 8 && Settings::iterations >= 8,
-      "cca::inverse_kinematics: its settings need at least one start, eight steps per beat and eight "
-      "iterations");
+      holds_or_tells<(Settings::starts >= 1 && Settings::steps_per_beat >= 8 && Settings::iterations >= 8),
+                     too_little_search<Settings>>::value);
   using limits = chain_limits<Chain, Joints>;
   using wanted_type = typename Tip::vector_type;
 

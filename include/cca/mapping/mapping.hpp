@@ -117,6 +117,16 @@ constexpr void tell_result(text& m) {
       << static_cast<int>(result::ColsAtCompileTime);
   else m << "`" << type_name<result>() << "`";
 }
+template <class From, class Function>
+struct takes_other {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the function " << type_name<Function>()
+      << " of this mapping takes neither a sample of its input space, " << space_in_words<From>()
+      << ", nor the vector of " << From::size << (From::size == 1 ? " number" : " numbers")
+      << " of one: give it `operator()(const cca::sample<" << type_name<From>()
+      << ">&)`, or name the space that it takes as the first argument";
+  }
+};
 template <class From, class To, class Function>
 struct maps_elsewhere {
   static constexpr void tell(text& m) {
@@ -142,17 +152,13 @@ struct leaves_space {
 // errors of its own with it.
 template <class From, class To, class Function>
 constexpr auto check_mapping() {
-  static_assert(Takes<Function, From>,
-                "cca::mapping: its function can be called neither with a sample of the input space nor with "
-                "its vector");
+  static_assert(holds_or_tells<Takes<Function, From>, takes_other<From, Function>>::value);
   static_assert(holds_or_tells<(!Takes<Function, From> || MapsInto<Function, From, To>),
                                maps_elsewhere<From, To, Function>>::value);
 }
 template <class Space, class Function>
 constexpr auto check_transformation() {
-  static_assert(Takes<Function, Space>,
-                "cca::transformation: its function can be called neither with a sample of its space nor with "
-                "its vector");
+  static_assert(holds_or_tells<Takes<Function, Space>, takes_other<Space, Function>>::value);
   static_assert(holds_or_tells<(!Takes<Function, Space> || MapsInto<Function, Space, Space>),
                                leaves_space<Space, Function>>::value);
 }

@@ -113,13 +113,24 @@ template <class Tuple>
 struct names_in;
 template <class... Ports>
 struct names_in<std::tuple<Ports...>> {
-  static constexpr bool distinct = [] {
-    const std::array<std::string_view, sizeof...(Ports)> names{Ports::name...};
+  static constexpr std::array<std::string_view, sizeof...(Ports)> names{Ports::name...};
+  // The first that has the name of one before; -1: there is none.
+  static constexpr int repeated = [] {
     for (std::size_t i = 0; i < names.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (names[i] == names[j]) return false;
-    return true;
+        if (names[i] == names[j]) return static_cast<int>(i);
+    return -1;
   }();
+};
+
+template <class Result>
+struct output_named_twice {
+  static constexpr void tell(text& m) {
+    using all = names_in<Result>;
+    m << "mapping.chain: two outputs of this chain are named `"
+      << all::names[static_cast<std::size_t>(all::repeated)]
+      << "`, so a wire could not tell them apart: at most one of its mappings may have a status of that name";
+  }
 };
 
 }  // namespace detail
@@ -133,9 +144,8 @@ class mapping_chain {
                               std::declval<detail::statuses_of<First>>(),
                               std::declval<detail::statuses_of<Rest>>()...));
   using meet = decltype(detail::check_chain<First, Rest...>());
-  static_assert(detail::names_in<result>::distinct,
-                "cca::mapping_chain: two of its outputs have the same name; at most one of its mappings may "
-                "have a status of that name");
+  static_assert(detail::holds_or_tells<(detail::names_in<result>::repeated < 0),
+                                       detail::output_named_twice<result>>::value);
 
 public:
   auto process(typename detail::mapped_inputs<First>::first input, beat now) -> result {

@@ -27,6 +27,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include <cca/space/messages/space_in_words.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/mapping/reaching.hpp>
 #include <cca/mapping/tip_task.hpp>
 
@@ -38,10 +40,23 @@ struct pantograph {
   placement hip{};                          // in the base
 };
 
+namespace detail {
+
+template <class Axes>
+struct no_leg_axes {
+  static constexpr void tell(text& m) {
+    m << "mapping.bad_chain: a cca::pantograph_leg has " << Axes::count
+      << (Axes::count == 1 ? " axis (" : " axes (") << axes_in_words<Axes>()
+      << "), and it moves by abduction, hip and knee, or by hip and knee: name these";
+  }
+};
+
+}  // namespace detail
+
 template <class Base, class Tip, class Axes, pantograph Geometry>
 struct pantograph_leg : serial_chain<Base, Tip, Axes> {
-  static_assert(Axes::count == 2 || Axes::count == 3,
-                "cca::pantograph_leg: its axes are abduction, hip and knee, or hip and knee");
+  static_assert(
+      detail::holds_or_tells<(Axes::count == 2 || Axes::count == 3), detail::no_leg_axes<Axes>>::value);
   static constexpr pantograph geometry = Geometry;
   static constexpr placement tip = at(0, 0, -Geometry.lower);
   static constexpr auto joints = [] {

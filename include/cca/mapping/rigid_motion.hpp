@@ -151,14 +151,21 @@ struct not_movable {
          "and rotate them only over all three, axes<x, y, z>";
   }
 };
+template <class Space, class By>
+struct moves_acting_point {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: the placement " << type_name<By>()
+      << " also translates, and a rigid motion only rotates what acts at a point, as a sample of "
+      << space_in_words<Space>() << "; `cca::frame_change` moves that point";
+  }
+};
 // In functions; mapping.hpp says why.
 template <class Space, class By>
 constexpr auto check_motion() {
   static_assert(holds_or_tells<movable<Space>(By::where), not_movable<Space>>::value);
-  static_assert(std::is_void_v<typename acting<typename Space::domain>::at> ||
-                    By::where.translation == placement{}.translation,
-                "cca::rigid_motion: it rotates twists and wrenches but does not translate them; "
-                "`cca::frame_change` moves the point at which they act");
+  static_assert(holds_or_tells<(std::is_void_v<typename acting<typename Space::domain>::at> ||
+                                By::where.translation == placement{}.translation),
+                               moves_acting_point<Space, By>>::value);
 }
 
 template <class Where, class From, class To>
@@ -210,15 +217,21 @@ constexpr auto check_frame_change() {
   static_assert(holds_or_tells<(!facts::kind || movable<From>(Where::where)), not_movable<From>>::value);
 }
 
+template <class By, bool Rotates>
+struct moves_otherwise {
+  static constexpr void tell(text& m) {
+    m << (Rotates ? "cca::rotation_by: the placement " : "cca::translation_by: the placement ")
+      << type_name<By>() << (Rotates ? " also translates" : " also rotates") << "; use `cca::rigid_motion`";
+  }
+};
 template <class By>
 constexpr auto check_translation() {
-  static_assert(!rotates(By::where),
-                "cca::translation_by: this placement also rotates; use `cca::rigid_motion`");
+  static_assert(holds_or_tells<!rotates(By::where), moves_otherwise<By, false>>::value);
 }
 template <class By>
 constexpr auto check_rotation() {
-  static_assert(By::where.translation == placement{}.translation,
-                "cca::rotation_by: this placement also translates; use `cca::rigid_motion`");
+  static_assert(
+      holds_or_tells<(By::where.translation == placement{}.translation), moves_otherwise<By, true>>::value);
 }
 
 }  // namespace detail

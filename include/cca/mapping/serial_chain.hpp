@@ -17,10 +17,12 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/mapping/placement.hpp>
@@ -78,6 +80,67 @@ template <class Type> concept SerialChain = requires {
   { Type::tip } -> std::convertible_to<placement>;
   Type::joints.size();
 };
+
+namespace detail {
+
+template <class Type>
+inline constexpr bool has_ends = requires {
+  typename Type::base;
+  typename Type::tip_frame;
+  typename Type::axes;
+};
+template <class Type>
+inline constexpr bool has_joints = requires { Type::joints.size(); };
+template <class Type>
+inline constexpr bool has_tip = requires {
+  { Type::tip } -> std::convertible_to<placement>;
+};
+
+template <class Type>
+struct no_chain {
+  static constexpr void tell(text& m) {
+    m << "mapping.bad_chain: ";
+    if (!has_ends<Type>) {
+      m << "a chain is wanted, and `" << type_name<Type>();
+      if constexpr (requires { typename Type::parts; })
+        m << "` is a body: name the chain of one of its parts, or use what takes the whole body, as "
+             "cca::body_pose";
+      else if constexpr (requires { typename Type::body; })
+        m << "` is the description of a robot: name the chain of a part of `" << type_name<Type>()
+          << "::body`, or use what takes the whole body, as cca::body_pose";
+      else
+        m << "` is none: derive it from `cca::serial_chain<base, tip, cca::axes<...>>`, as in "
+             "cca/mapping/serial_chain.hpp";
+      return;
+    }
+    m << "the chain " << type_name<Type>();
+    if (!has_joints<Type>)
+      m << " has no `joints`: add `static constexpr std::array joints{...};`, with one cca::revolute or "
+           "cca::prismatic for each axis";
+    if (!has_tip<Type>)
+      m << (has_joints<Type> ? " has no `tip`" : "; and no `tip`")
+        << ": add `static constexpr cca::placement tip = cca::at(x, y, z);`, its end in the last link";
+  }
+};
+
+// Stands for a chain that lacks something, so that there is one error.
+template <class Type>
+struct mended_chain {
+  struct nowhere {};
+  using base = void;
+  using tip_frame = nowhere;
+  using axes = cca::axes<>;
+  static constexpr std::array<joint, 0> joints{};
+  static constexpr placement tip{};
+};
+template <class Type>
+  requires has_ends<Type>
+struct mended_chain<Type> : serial_chain<typename Type::base, typename Type::tip_frame, typename Type::axes> {
+  static constexpr std::array<joint, 0> joints{};
+  static constexpr placement tip{};
+};
+
+}  // namespace detail
 
 // A chain with the inertia of its links.
 template <class Type> concept DynamicChain = SerialChain<Type> && requires { Type::links.size(); };

@@ -12,6 +12,8 @@
 
 #include <string>
 
+#include <cca/space/messages/space_in_words.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/motor/spaces.hpp>
@@ -87,10 +89,22 @@ struct discrete_shape : detail::discrete_function<S, N, Decay, S::size> {
   }
 };
 
+namespace detail {
+
+template <class S>
+struct no_pose_space {
+  static constexpr void tell(text& m) {
+    m << "space.mismatch: a cca::pose_shape is over a space of poses, and " << space_in_words<S>()
+      << " is none: name a space of cca::pose<frame>, or use cca::discrete_shape";
+  }
+};
+
+}  // namespace detail
+
 // S is a space of a pose; its domain in the title names the frame.
 template <Space S, int N, int Decay = 5000>
 struct pose_shape : detail::discrete_function<S, N, Decay, 6> {
-  static_assert(S::size == 7, "cca::pose_shape: its space is not one of a pose");
+  static_assert(detail::holds_or_tells<(S::size == 7), detail::no_pose_space<S>>::value);
   static std::string title() {
     return "pose_shape of " + std::string(detail::space_of<S>.domain) + " " + pose_shape::functions();
   }

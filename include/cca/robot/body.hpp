@@ -15,8 +15,8 @@
 //
 // The coordinates of a body are those of its parts, in order of declaration: `axes_of<Body>`. A joint may
 // follow an axis of another part: `cca::prismatic(cca::along_y).driven_by("left_finger", -1)`. Errors:
-// body.cycle, body.unattached, body.duplicate. Cost: constants. Example: tests/runtime/body/example.cpp;
-// docs/body.md.
+// body.cycle, body.unattached, body.duplicate, body.no_body, mapping.bad_chain. Cost: constants. Example:
+// tests/runtime/body/example.cpp; docs/body.md.
 #pragma once
 
 #include <array>
@@ -26,10 +26,10 @@
 #include <type_traits>
 
 #include <cca/base/messages/holds_or_tells.hpp>
-#include <cca/base/messages/tell_names.hpp>
 #include <cca/component/component.hpp>
 #include <cca/graph/items/graph.hpp>
 #include <cca/mapping/serial_chain.hpp>
+#include <cca/robot/body_mistakes.hpp>
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/limits.hpp>
 #include <cca/space/messages/space_in_words.hpp>
@@ -42,11 +42,16 @@ struct driven_by {
   static constexpr std::array<std::string_view, sizeof...(Nodes)> names{Nodes.view()...};
 };
 
-template <fixed_string Name, SerialChain Chain, class Nodes = driven_by<>>
+template <fixed_string Name, class Chain, class Nodes = driven_by<>>
 struct part {
   static constexpr std::string_view name = Name.view();
   using chain = Chain;
   using nodes = Nodes;
+};
+template <fixed_string Name, class Type, class Nodes>
+  requires(!SerialChain<Type>)
+struct part<Name, Type, Nodes> : part<Name, detail::mended_chain<Type>, Nodes> {
+  static_assert(detail::holds_or_tells<false, detail::no_chain<Type>>::value);
 };
 
 namespace detail {
@@ -60,7 +65,8 @@ struct attachments {
 
   template <class Part>
   static constexpr int parent_of() {
-    if (std::is_same_v<typename Part::chain::base, Base>) return base;
+    if (std::is_same_v<typename Part::chain::base, Base> || std::is_void_v<typename Part::chain::base>)
+      return base;  // `void` of what is refused, and has its message
     int found = nothing, i = 0;
     ((found = std::is_same_v<typename Part::chain::base, typename Parts::chain::tip_frame> ? i : found, ++i),
      ...);
@@ -92,82 +98,6 @@ struct attachments {
         if (names[i] == names[j]) return false;
     return true;
   }();
-};
-
-template <class Attachments, std::size_t Index, class Part, class Base>
-struct closed_loop {
-  static constexpr void tell(text& m) {
-    m << "body.cycle: the parts of this body close a loop: ";
-    if (Attachments::in_cycle(Index)) {
-      m << "`" << Part::name << "`";
-      auto at = static_cast<std::size_t>(Attachments::parent[Index]);
-      for (std::size_t steps = 0; steps < Attachments::count; ++steps) {
-        m << (steps == 0 ? " hangs on `" : ", which hangs on `") << Attachments::names[at] << "`";
-        if (at == Index) break;
-        at = static_cast<std::size_t>(Attachments::parent[at]);
-      }
-    } else {
-      m << "the chain of `" << Part::name << "` ends in the frame "
-        << type_name<typename Part::chain::tip_frame>()
-        << (std::is_same_v<typename Part::chain::tip_frame, Base> ? ", which is that of the base"
-                                                                  : ", in which another chain ends too");
-    }
-    m << "; a body is a tree or a star, so let each chain end in a frame of its own, and leave out the joint "
-         "that closes the loop";
-  }
-};
-template <class Part, class Base>
-struct hangs_on_nothing {
-  static constexpr void tell(text& m) {
-    m << "body.unattached: the part `" << Part::name << "` hangs on nothing: its chain begins in the frame "
-      << type_name<typename Part::chain::base>() << ", which is neither the base of the body, "
-      << type_name<Base>()
-      << ", nor the end of another part; begin it in one of those, or add the part that leads there";
-  }
-};
-template <class Attachments>
-struct two_parts_of_one_name {
-  static constexpr void tell(text& m) {
-    std::string_view twice;
-    for (std::size_t i = 0; i < Attachments::count; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (Attachments::names[i] == Attachments::names[j]) twice = Attachments::names[i];
-    m << "body.duplicate: two parts of this body are named `" << twice
-      << "`, by which kinematics and descriptions find them; give each part a name of its own";
-  }
-};
-template <class Axes, class... Parts>
-struct shared_axis {
-  static constexpr void tell(text& m) {
-    const auto axis = axis_in_words(Axes(), repeated_in<Axes>::first());
-    m << "body.duplicate: the parts ";
-    const char* between = "`";
-    const auto add = [&](bool shares, std::string_view part) {
-      if (!shares) return;
-      m << between << part << "`";
-      between = " and `";
-    };
-    (add(has<typename Parts::chain::axes>(axis), Parts::name), ...);
-    m << " of this body share the axis " << axis
-      << "; give each part axes of its own, and let a joint that follows an axis of another part name it by "
-         "`driven_by`";
-  }
-
-private:
-  template <class Own>
-  static constexpr bool has(std::string_view axis) {
-    for (int i = 0; i < Own::count; ++i)
-      if (axis_in_words(Own(), i) == axis) return true;
-    return false;
-  }
-};
-template <class Body, fixed_string Part>
-struct unknown_part {
-  static constexpr void tell(text& m) {
-    m << "body.unknown_part: the body " << type_name<Body>() << " has no part `" << Part.view()
-      << "` (the name in cca::part<name, chain>)";
-    tell_names(m, Part.view(), Body::attached::names);
-  }
 };
 
 // Each rule is reported for the first part that breaks it, loops before unattached parts.
@@ -225,6 +155,7 @@ template <class Base, class... Parts>
 struct body {
   using base_frame = Base;
   using parts = std::tuple<Parts...>;
+  static_assert(((sizeof(Parts) != 0) && ...));  // a mistake in a part is reported from here
   using attached = detail::attachments<Base, Parts...>;
   using sound = decltype(detail::check_body<Base, Parts...>());
   using axes = typename detail::joined_axes<typename Parts::chain::axes...>::type;
@@ -237,8 +168,41 @@ template <class Type> concept Body = requires {
   typename Type::base_frame;
 };
 
-template <Body Type>
-using axes_of = typename Type::axes;
+namespace detail {
+
+// Stands for what is no body, so that there is one error: the body of the description, one of the chain, or
+// one without parts.
+template <class Type>
+struct mended_body {
+  struct nowhere {};
+  using type = body<nowhere>;
+};
+template <SerialChain Type>
+struct mended_body<Type> {
+  using type = body<typename Type::base, cca::part<"chain", Type>>;
+};
+template <class Type>
+  requires(!Body<Type> && Body<typename Type::body>)
+struct mended_body<Type> {
+  using type = typename Type::body;
+};
+
+template <class Type>
+struct body_or_refused {
+  using type = Type;
+};
+template <class Type>
+  requires(!Body<Type>)
+struct body_or_refused<Type> : mended_body<Type> {
+  static_assert(holds_or_tells<false, no_body<Type>>::value);
+};
+template <class Type>
+using checked_body = typename body_or_refused<Type>::type;
+
+}  // namespace detail
+
+template <class Type>
+using axes_of = typename detail::body_or_refused<Type>::type::axes;
 
 // The index of a part by its name, -1 if there is none.
 template <Body Type>
@@ -318,7 +282,8 @@ struct driven_in<Graph, std::tuple<Parts...>> {
 
 // Refuses a graph without a resource node that a part of the body names:
 // `static_assert(cca::embodied<body, graph>);`
-template <Body Type, class Graph>
-inline constexpr bool embodied = detail::driven_in<Graph, typename Type::parts>::checked::value;
+template <class Type, class Graph>
+inline constexpr bool embodied =
+    detail::driven_in<Graph, typename detail::checked_body<Type>::parts>::checked::value;
 
 }  // namespace cca

@@ -94,7 +94,7 @@ vector3 gravity_in_base(const Attitude& attitude, double gravity) {
 
 }  // namespace detail
 
-template <Body Type, class Angles, class Torques, class Attitude = base_attitude>
+template <class Type, class Angles, class Torques, class Attitude = base_attitude>
 struct gravity_compensation {
   using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
                               decltype(detail::check_axes<Type, joint_torques, Torques>()),
@@ -109,8 +109,12 @@ struct gravity_compensation {
         gravity_torques(now, detail::gravity_in_base(attitude, p.gravity)));
   }
 };
+template <class Type, class Angles, class Torques, class Attitude>
+  requires(!Body<Type>)
+struct gravity_compensation<Type, Angles, Torques, Attitude>
+    : gravity_compensation<typename detail::body_or_refused<Type>::type, Angles, Torques, Attitude> {};
 
-template <Body Type,
+template <class Type,
           class Angles,
           class Velocities,
           class Accelerations,
@@ -138,8 +142,17 @@ struct inverse_dynamics_of {
             .torques);
   }
 };
+template <class Type, class Angles, class Velocities, class Accelerations, class Torques, class Attitude>
+  requires(!Body<Type>)
+struct inverse_dynamics_of<Type, Angles, Velocities, Accelerations, Torques, Attitude>
+    : inverse_dynamics_of<typename detail::body_or_refused<Type>::type,
+                          Angles,
+                          Velocities,
+                          Accelerations,
+                          Torques,
+                          Attitude> {};
 
-template <Body Type, fixed_string Part, class Angles, class Tip>
+template <class Type, fixed_string Part, class Angles, class Tip>
 struct part_kinematics {
   using checked = std::void_t<decltype(detail::check_tip<detail::body_as_chain<Type>, Tip>()),
                               decltype(detail::check_axes<Type, joint_angles, Angles>())>;
@@ -150,5 +163,9 @@ struct part_kinematics {
             .template tip<Part>());
   }
 };
+template <class Type, fixed_string Part, class Angles, class Tip>
+  requires(!Body<Type>)
+struct part_kinematics<Type, Part, Angles, Tip>
+    : part_kinematics<typename detail::body_or_refused<Type>::type, Part, Angles, Tip> {};
 
 }  // namespace cca

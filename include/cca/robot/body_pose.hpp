@@ -47,7 +47,7 @@ struct placed_links : std::array<placed_link, Count> {
 
 }  // namespace detail
 
-template <Body Type>
+template <class Type>
 class body_pose {
   static constexpr const auto& tree = detail::body_tree_of<Type>;
   static constexpr std::size_t count = tree.links.size();
@@ -137,6 +137,14 @@ private:
 
   detail::joint_values<Type> values;
   [[no_unique_address]] std::conditional_t<keeps_links, detail::placed_links<count>, nothing> kept;
+};
+template <class Type>
+  requires(!Body<Type>)
+class body_pose<Type> : public body_pose<typename detail::mended_body<Type>::type> {
+  static_assert(detail::holds_or_tells<false, detail::no_body<Type>>::value);
+
+public:
+  using body_pose<typename detail::mended_body<Type>::type>::body_pose;
 };
 
 }  // namespace cca

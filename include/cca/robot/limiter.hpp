@@ -27,7 +27,9 @@
 //
 // Cost: two comparisons an axis and one branch; two additions more in a space that limits a rate. The rest
 // runs only when a command is changed. In a space that also limits the change of the rate: that of
-// bounded_motion.hpp. Errors: space.missing_limits. Example: tests/runtime/robot/limiter.cpp; docs/robot.md.
+// bounded_motion.hpp. Errors: space.missing_limits,
+// space.bad_limits, space.unknown_axis, rate.missing. Example: tests/runtime/robot/limiter.cpp;
+// docs/robot.md.
 #pragma once
 
 #include <array>
@@ -45,6 +47,7 @@
 #include <cca/component/port.hpp>
 #include <cca/robot/bounded_motion.hpp>
 #include <cca/robot/command_limits.hpp>
+#include <cca/robot/limiter_mistakes.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/info.hpp>
 #include <cca/space/limits.hpp>
@@ -62,20 +65,15 @@ struct intervention {
 
 template <class Space>
 class limiter {
-  static_assert(Space::size == Space::axes::count,
-                "cca::limiter: this domain type has no number per axis, and so no limits");
   static_assert(__FINITE_MATH_ONLY__ == 0,
                 "cca::limiter: -ffinite-math-only (of -ffast-math) would let NaN pass to the actuators");
-  using limits = detail::limits_of<Space>;
-  static_assert(limits::may_rest, "cca::limiter: the limits of how fast a command may change must include 0");
+  using limits = detail::kept_limits<Space>;
   static_assert(
-      limits::may_turn_round,
-      "cca::limiter: the limits of acceleration and jerk must be below and above 0: an axis that has "
-      "begun to move must be able to stop");
-  static_assert(
-      !limits::has_any_second || detail::hz_of<typename Space::rate> > 0,
-      "cca::limiter: an axis of this space limits acceleration or jerk, which need the time from one "
-      "command to the next: give the space a rate, for example cca::rate<1000>");
+      detail::holds_or_tells<detail::has_number_per_axis<Space>, detail::no_number_per_axis<Space>>::value);
+  static_assert(detail::holds_or_tells<limits::may_rest, detail::must_always_move<Space>>::value);
+  static_assert(detail::holds_or_tells<limits::may_turn_round, detail::cannot_turn_round<Space>>::value);
+  static_assert(detail::holds_or_tells<(!limits::has_any_second || detail::hz_of<typename Space::rate> > 0),
+                                       detail::limiter_without_rate<Space>>::value);
 
 public:
   static constexpr bool limits_commands = true;

@@ -12,16 +12,29 @@
 
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
 
 namespace cca {
 
+namespace detail {
+
+template <int Firings>
+struct no_firings {
+  static constexpr void tell(text& m) {
+    m << "cca::fault_when_unreadable: it stops after " << Firings
+      << " unreadable inputs in a row: make this number 1 or more";
+  }
+};
+
+}  // namespace detail
+
 template <class Status = input_status_port, int Firings = 1>
   requires(std::is_same_v<Status, input_status_port> || std::is_same_v<Status, ode_status_port>)
 struct fault_when_unreadable {
-  static_assert(Firings >= 1, "cca::fault_when_unreadable: Firings is at least 1");
+  static_assert(detail::holds_or_tells<(Firings >= 1), detail::no_firings<Firings>>::value);
 
   auto process(in<"status", Status> now) -> fault {
     using states = std::conditional_t<std::is_same_v<Status, ode_status_port>, ode_status, input_status>;

@@ -30,6 +30,8 @@
 #include <string>
 #include <tuple>
 
+#include <cca/space/messages/space_in_words.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/after_run.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
@@ -87,9 +89,30 @@ constexpr maybe<"fresh", Space> passed_on(const in<"command", Space>& command) {
   return passed;
 }
 
+enum class watch_time : std::uint8_t { command, source, arrival };
+
+template <class Space, std::int64_t Beats, watch_time What>
+struct bad_watch_time {
+  static constexpr void tell(text& m) {
+    constexpr const char* names[] = {"the greatest age of a command", "the greatest age of the source",
+                                     "the longest time without a command"};
+    m << "cca::watchdog: " << names[static_cast<int>(What)] << ", in beats, is " << Beats
+      << " in the watchdog of " << space_in_words<Space>() << ": make it 0 or more";
+  }
+};
+template <class Space, std::int64_t Beats, std::int64_t Arrival>
+struct arrival_without_source {
+  static constexpr void tell(text& m) {
+    m << "cca::watchdog: the watchdog of " << space_in_words<Space>() << " waits " << Beats
+      << " beats for the data and " << Arrival
+      << " for a command, but has no source of data: name one, as in `cca::of<path>`, or leave out the "
+         "second";
+  }
+};
+
 template <class Space, std::int64_t Beats>
 class age_watch {
-  static_assert(Beats >= 0, "cca::watchdog<Space, Beats>: Beats is the greatest age of a command");
+  static_assert(holds_or_tells<(Beats >= 0), bad_watch_time<Space, Beats, watch_time::command>>::value);
 
 public:
   static constexpr bool preserves_limits = true;
@@ -114,10 +137,8 @@ private:
 
 template <class Space, std::int64_t Beats, fixed_string Source, std::int64_t Arrival>
 class source_watch {
-  static_assert(Beats >= 0, "cca::watchdog<Space, Beats, of<...>>: Beats is the greatest age of the source");
-  static_assert(Arrival >= 0,
-                "cca::watchdog<Space, Beats, of<...>, Arrival>: Arrival is the longest time without a "
-                "command, in beats");
+  static_assert(holds_or_tells<(Beats >= 0), bad_watch_time<Space, Beats, watch_time::source>>::value);
+  static_assert(holds_or_tells<(Arrival >= 0), bad_watch_time<Space, Arrival, watch_time::arrival>>::value);
 
 public:
   static constexpr bool preserves_limits = true;
@@ -155,7 +176,7 @@ template <class Space, std::int64_t Beats, class Source, std::int64_t Arrival>
 struct watch_for;
 template <class Space, std::int64_t Beats, std::int64_t Arrival>
 struct watch_for<Space, Beats, void, Arrival> {
-  static_assert(Arrival == Beats, "cca::watchdog<Space, Beats, of<...>, Arrival>: Arrival needs a source");
+  static_assert(holds_or_tells<(Arrival == Beats), arrival_without_source<Space, Beats, Arrival>>::value);
   using type = age_watch<Space, Beats>;
 };
 template <class Space, std::int64_t Beats, fixed_string Path, std::int64_t Arrival>

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/nearest.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/hooks.hpp>
@@ -231,10 +232,8 @@ private:
   static constexpr int part_of() {
     static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
     constexpr int part = part_with_hash<Graph>(hash(Path.view()));
-    static_assert(
-        part >= 0 || !has_path<Graph>(hash(Path.view())),
-        "cca::controller: this node can't be stopped on its own: write cca::stoppable<...> around the "
-        "strategy of a component, cca::stoppable<> as that of a graph");
+    static_assert(holds_or_tells<(part >= 0 || !has_path<Graph>(hash(Path.view()))),
+                                 never_stopped_alone<Graph, Path>>::value);
     return part;
   }
   void check_state(const char* call, int part) const {

@@ -23,6 +23,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/array_size.hpp>
 #include <cca/skeleton/arity.hpp>
 #include <cca/graph/items/inner_wires.hpp>
@@ -99,12 +100,21 @@ struct wrong_farm {
   }
 };
 
+template <class Worker, class... Options>
+struct bad_farm_options {
+  static constexpr void tell(text& m) {
+    m << "skeleton.arity: the farm of " << type_name<Worker>() << " has the options ";
+    int written = 0;
+    ((m << (written++ > 0 ? ", `" : "`") << type_name<Options>() << "`"), ...);
+    m << ", and its only one is cca::inner_wires<policies...>, once, after the spaces of what comes in and "
+         "what goes out";
+  }
+};
+
 template <class Worker, class From, class To, class... Options>
 constexpr auto farm_kind() {
-  static_assert(
-      sizeof...(Options) < 2 && (is_inner_wires<Options> && ...),
-      "cca::farm: its only option is cca::inner_wires<policies...>, after the spaces of what comes in "
-      "and what goes out");
+  static_assert(holds_or_tells<(sizeof...(Options) < 2 && (is_inner_wires<Options> && ...)),
+                               bad_farm_options<Worker, Options...>>::value);
   if constexpr (constexpr int count = workers_in<Worker, From, To>; count > 0)
     return std::type_identity<farm_of<Worker, From, To, typename inner_policies<list<>, Options...>::type,
                                       std::make_index_sequence<array_size(count)>>>();

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/array_size.hpp>
 #include <cca/space/frame.hpp>
 #include <cca/base/joined_names.hpp>
@@ -80,15 +81,25 @@ struct array_axes<axes<Axes...>, std::index_sequence<Number...>> {
   using type = typename all<one<Number>...>::type;
 };
 
+template <int Count>
+inline constexpr int at_least_one = Count > 0 ? Count : 1;  // so that an array of none gives one error
+template <class Element, int Count>
+struct empty_array {
+  static constexpr void tell(text& m) {
+    m << "space.bad_axes: `cca::array_of<" << type_name<Element>() << ", " << Count
+      << ">` is to have as many elements, and an array has at least one: give it another number";
+  }
+};
+
 }  // namespace detail
 
 template <class Element, int Count>
-struct array_of
-    : space<array_domain<typename Element::domain, Count>,
-            typename detail::array_axes<typename Element::axes,
-                                        std::make_index_sequence<detail::array_size(Count)>>::type,
-            typename Element::rate> {
-  static_assert(Count > 0, "cca::array_of<Space, N>: N is the number of elements, at least one");
+struct array_of : space<array_domain<typename Element::domain, detail::at_least_one<Count>>,
+                        typename detail::array_axes<
+                            typename Element::axes,
+                            std::make_index_sequence<detail::array_size(detail::at_least_one<Count>)>>::type,
+                        typename Element::rate> {
+  static_assert(detail::holds_or_tells<(Count > 0), detail::empty_array<Element, Count>>::value);
   using element_space = Element;
 };
 

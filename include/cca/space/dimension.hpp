@@ -12,7 +12,7 @@
 //   };
 //
 // Angles of such an axis that differ by whole turns mean the same, and the difference of two of them is the
-// shortest way around the circle (difference_of in methods/circle.hpp).
+// shortest way around the circle (difference_of in methods/circle.hpp). Errors: space.bad_limits.
 #pragma once
 
 #include <concepts>
@@ -20,6 +20,7 @@
 #include <type_traits>
 
 #include <cca/base/fixed_string.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/quantity.hpp>
 
 namespace cca {
@@ -42,11 +43,37 @@ constexpr bool is_continuous<Axis> = Axis::continuous;
 
 namespace detail {
 
+template <class Axis>
+struct no_limits_of_axis {
+  static constexpr void tell(text& m) {
+    m << "space.bad_limits: `limits` of the axis " << type_name<Axis>() << " is `"
+      << type_name<std::remove_cvref_t<decltype(Axis::limits)>>()
+      << "`, and no cca::limits: list the ranges in one, as in `static constexpr auto limits = "
+         "cca::limits{cca::angle{-0.5, 0.5}};`";
+  }
+};
+// Asked where an axis is listed, of one that may be incomplete there; so nothing else asks it.
+template <class Axis>
+inline constexpr bool lists_limits = true;
+template <class Axis>
+  requires requires { Axis::limits; }
+inline constexpr bool lists_limits<Axis> =
+    requires { std::remove_cvref_t<decltype(Axis::limits)>::template has<angle>; };
+
+// It states something that is refused, and has its message.
+template <class Axis>
+inline constexpr bool has_refused_limits = false;
+template <class Axis>
+  requires requires { Axis::limits; }
+inline constexpr bool has_refused_limits<Axis> = !requires {
+  std::remove_cvref_t<decltype(Axis::limits)>::template has<angle>;
+} || requires { std::remove_cvref_t<decltype(Axis::limits)>::is_refused; };
+
 template <class Axis, class Quantity>
 constexpr bool axis_has_limits = false;
 
 template <class Axis, class Quantity>
-  requires requires { Axis::limits; }
+  requires requires { std::remove_cvref_t<decltype(Axis::limits)>::template has<Quantity>; }
 constexpr bool axis_has_limits<Axis, Quantity> =
     std::remove_cvref_t<decltype(Axis::limits)>::template has<Quantity>;
 

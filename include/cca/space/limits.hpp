@@ -71,7 +71,8 @@ struct limits_along<List<Axes...>, Quantity> {
                                limits_of_circle<Axes...>>::value);
 
   static constexpr int first_missing() {
-    const std::array<bool, sizeof...(Axes)> stated{axis_has_limits<Axes, needed_limits<Axes, Quantity>>...};
+    const std::array<bool, sizeof...(Axes)> stated{
+        (axis_has_limits<Axes, needed_limits<Axes, Quantity>> || has_refused_limits<Axes>)...};
     for (std::size_t i = 0; i < sizeof...(Axes); ++i)
       if (!stated[i]) return static_cast<int>(i);
     return -1;

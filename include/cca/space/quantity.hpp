@@ -9,7 +9,7 @@
 // A quantity states in `on_nan` what a limiter publishes when a command is no finite number. There is no
 // default: a torque or a current that is held goes on to accelerate, an angle that goes to zero jumps. One
 // whose change a limiter is to bound states in `rate` which quantity of the axis limits that: of an angle the
-// velocity. Errors: quantity.on_nan.
+// velocity. Errors: quantity.on_nan, space.bad_limits.
 #pragma once
 
 #include <concepts>
@@ -161,11 +161,49 @@ constexpr bool states_on_nan() {
   return true;
 }
 
+// What a dimension can list: types with two ends, each once.
+template <class Type> concept Range = requires(const Type range) {
+  range.lower;
+  range.upper;
+};
+template <class Type, class... Types>
+inline constexpr int times_in = (0 + ... + int{std::is_same_v<Type, Types>});
+template <class... Types> concept Ranges = (Range<Types> && ...) && ((times_in<Types, Types...> == 1) && ...);
+
+template <class... Types>
+struct no_ranges {
+  static constexpr void tell(text& m) { (void)(one<Types>(m) || ...); }
+
+private:
+  template <class Type>
+  static constexpr bool one(text& m) {
+    if (Range<Type> && times_in<Type, Types...> == 1) return false;
+    m << "space.bad_limits: a `cca::limits` lists `" << type_name<Type>() << "`";
+    if (Range<Type>) m << " twice: state one range for each quantity";
+    else
+      m << ", which is no quantity: give each range its quantity, as in `cca::limits{cca::angle{-0.5, 0.5}, "
+           "cca::torque{-3, 3}}`";
+    return true;
+  }
+};
+
 }  // namespace detail
 
-// The limits of a dimension, one range a quantity.
+// The limits of a dimension, one range a quantity. Of what can't be listed it has none, so that there is one
+// error.
+template <class... Types>
+struct limits {
+  static_assert(detail::holds_or_tells<false, detail::no_ranges<Types...>>::value);
+
+  static constexpr bool is_refused = true;
+  template <class>
+  static constexpr bool has = false;
+
+  constexpr limits(const Types&...) {}
+};
 template <class... Quantities>
-struct limits : Quantities... {
+  requires detail::Ranges<Quantities...>
+struct limits<Quantities...> : Quantities... {
   static_assert((detail::states_on_nan<Quantities>() && ...));
 
   template <class Quantity>

@@ -3,6 +3,7 @@
 //
 // A sample owns its coordinates. Only an input of many numbers refers to those that its writer stored, as
 // long as its component runs: a copy of it owns its own.
+// Errors: space.wrong_length, space.unknown_axis.
 #pragma once
 
 #include <cstdint>
@@ -37,6 +38,20 @@ struct stored_elsewhere {
 template <class Vector>
 struct stored_elsewhere<Vector, false> {};
 
+// Of the wrong length. Where a length is known only at run time, Eigen checks it.
+template <class Vector, int Size> concept Unfit =
+    Vector::SizeAtCompileTime != Size && Vector::SizeAtCompileTime != Eigen::Dynamic;
+
+// Of a sample that is made from one.
+template <class Space, int Given>
+struct unfit_vector {
+  static constexpr void tell(text& m) {
+    m << "space.wrong_length: a sample of " << space_in_words<Space>() << " has " << Space::size
+      << (Space::size == 1 ? " coordinate" : " coordinates") << " and is made from a vector of " << Given
+      << ": give one number for each axis (an orientation and a pose have a quaternion)";
+  }
+};
+
 }  // namespace detail
 
 template <class Space>
@@ -55,6 +70,12 @@ public:
   template <class Vector>
   explicit constexpr sample(const Eigen::MatrixBase<Vector>& v, std::int64_t from = never)
       : value(v), time(from) {}
+  template <class Vector>
+    requires detail::Unfit<Vector, Space::size>
+  explicit constexpr sample(const Eigen::MatrixBase<Vector>&, std::int64_t = never) {
+    static_assert(
+        detail::holds_or_tells<false, detail::unfit_vector<Space, Vector::SizeAtCompileTime>>::value);
+  }
   template <detail::Renames<Space> Other>
   constexpr sample(const sample<Other>& other) : time(other.origin()) {
     copy(other.vector());
@@ -86,7 +107,9 @@ public:
   constexpr double operator[](Axis) const {
     static_assert(detail::holds_or_tells<Space::axes::template contains<Axis>,
                                          detail::unknown_axis<Space, Axis>>::value);
-    static_assert(Space::size == Space::axes::count, "cca::sample: this domain type has no value per axis");
+    static_assert(
+        detail::holds_or_tells<(Space::size == Space::axes::count || !Space::axes::template contains<Axis>),
+                               detail::no_number_per_axis<Space>>::value);
     return vector().coeff(Space::axes::template index_of<Axis>);
   }
 

@@ -4,11 +4,12 @@
 //
 // Two spaces match if domain type (with its frame), ordered axes and rate agree, whatever their names. A rate
 // that only one of them states does not count.
-// Errors: space.bad_axes, space.bad_domain, rate.missing.
+// Errors: space.bad_axes, space.bad_domain, space.bad_limits, rate.missing.
 #pragma once
 
 #include <array>
 #include <concepts>
+#include <initializer_list>
 #include <type_traits>
 #include <utility>
 
@@ -44,9 +45,21 @@ struct rate {
   static constexpr double hz = detail::checked_rate<Hz>();
 };
 
+namespace detail {
+
+constexpr bool hold(std::initializer_list<bool> all) {
+  for (const bool one : all)
+    if (!one) return false;
+  return true;
+}
+
+}  // namespace detail
+
 template <class... Axes>
 struct axes {
   static constexpr int count = sizeof...(Axes);
+  static_assert(detail::hold(
+      {detail::holds_or_tells<detail::lists_limits<Axes>, detail::no_limits_of_axis<Axes>>::value...}));
 
   template <class Axis>
   static constexpr bool contains = (std::is_same_v<Axis, Axes> || ...);
@@ -131,6 +144,7 @@ struct space {
   using domain = typename decltype(detail::domain_or_refused<Domain>())::type;
   using axes = typename decltype(detail::axes_or_refused<Axes, Domain>())::type;
   using rate = Rate;
+  static_assert(sizeof(axes) != 0);                        // a mistake in an axis is reported from here
   static constexpr int size = domain::width(axes::count);  // stored coordinates; an orientation has four
   using vector_type = Eigen::Matrix<double, size, 1>;
 };

@@ -23,6 +23,7 @@
 #include <string>
 #include <utility>
 
+#include <cca/graph/marks/unmarked.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/base/type_name.hpp>
 #include <cca/graph/deployment/deployed_modes.hpp>
@@ -46,7 +47,8 @@ namespace detail {
 // What a tracer must know of each loop of a controller.
 template <class Controller>
 struct traced_loops {
-  static_assert(sizeof(Controller) == 0, "cca::tracer: it traces a cca::controller or a cca::deployed");
+  static_assert(holds_or_tells<false, not_observed<Controller, observer::tracer>>::value);
+  struct graph : traceable {};
 };
 template <class Graph>
   requires(!Modes<Graph>)
@@ -132,9 +134,9 @@ struct traced_loops<controller<M>> {
 template <class Controller>
 class tracer {
   using loops = detail::traced_loops<Controller>;
-  static_assert(detail::Traceable<typename loops::graph>,
-                "cca::tracer: derive the graph from cca::traceable, too: "
-                "struct trot : cca::graph<...>, cca::traceable {};");
+  static_assert(
+      detail::holds_or_tells<detail::Traceable<typename loops::graph>,
+                             detail::unmarked<typename loops::graph, detail::observer::tracer>>::value);
 
 public:
   tracer(Controller& c, const std::string& file, const trace_settings& s = {})

@@ -2,6 +2,7 @@
 // and its criterion.
 #pragma once
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/adaptive/assembly/adaptive_checks.hpp>
 #include <cca/adaptive/component_status.hpp>
 
@@ -93,13 +94,27 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
       type;
 };
 
+template <class Module, class... Options>
+struct unknown_component_option {
+  static constexpr void tell(text& m) {
+    m << "cca::adaptive_component: ";
+    const char* between = "`";
+    const auto one = [&](bool known, std::string_view name) {
+      if (!known) m << between << name << "`", between = ", `";
+    };
+    (one(ComponentOption<Options>, type_name<Options>()), ...);
+    m << " is no option of the adaptive component of " << type_name<Module>()
+      << "; allowed are a strategy, named<...>, against<...>, inner_wires<policies...>, "
+         "reference_through<M>, "
+         "feedback_through<M>, command_through<M> and control_through<`name`, M>";
+  }
+};
+
 template <class Module, class Measure, class... Options>
 struct adaptive_items {
   static_assert(sizeof(Module) != 0);  // first, so that the mistakes of the module are reported from here
-  static_assert((ComponentOption<Options> && ...),
-                "cca::adaptive_component: one of its options is unknown; allowed are a strategy, named<...>, "
-                "against<...>, inner_wires<policies...>, reference_through<M>, feedback_through<M>, "
-                "command_through<M> and control_through<`name`, M>");
+  static_assert(
+      holds_or_tells<(ComponentOption<Options> && ...), unknown_component_option<Module, Options...>>::value);
   using type =
       typename adaptive_items_of<Module, Measure, typename names_option<Options...>::type, Options...>::type;
 };

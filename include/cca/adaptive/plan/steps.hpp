@@ -63,10 +63,18 @@ struct step_option<cca::then<Name>> {
   static constexpr void set(step_info& one) { one.next = Name.view(); }
 };
 
+template <std::size_t Count>
+struct bad_count_of_choices {
+  static constexpr void tell(text& m) {
+    m << "plan.bad_step: a `then_one_of<...>` of cca::steps names " << static_cast<std::int64_t>(Count)
+      << " steps, and it names 1 to " << static_cast<std::int64_t>(most_choices)
+      << ": leave some out, or choose in two steps";
+  }
+};
 template <fixed_string... Names>
 struct step_option<then_one_of<Names...>> {
-  static_assert(sizeof...(Names) >= 1 && sizeof...(Names) <= most_choices,
-                "cca::steps: a then_one_of<...> names one to eight steps");
+  static_assert(holds_or_tells<(sizeof...(Names) >= 1 && sizeof...(Names) <= most_choices),
+                               bad_count_of_choices<sizeof...(Names)>>::value);
   using condition = all<>;
   static constexpr void set(step_info& one) { ((one.choices[one.choice_count++] = Names.view()), ...); }
 };

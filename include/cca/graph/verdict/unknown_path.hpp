@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/graph/verdict/diagnosis.hpp>
 #include <cca/graph/diagnosis/nearest_node.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
@@ -80,10 +81,37 @@ constexpr bool can_set() {
   else return requires { typename node_types<Graph, node>::component::parameters; };
 }
 template <class Graph, fixed_string Path>
+constexpr void tell_node_at(text& m) {
+  constexpr int node = node_at<Graph>(Path.view());
+  m << (node < 0 ? "the inner graph `" : "the component `") << Path.view() << "`";
+  if constexpr (node >= 0) m << " (" << type_name<typename node_types<Graph, node>::component>() << ")";
+  m << " of " << graph_facts<Graph>::value.name;
+}
+template <class Graph, fixed_string Path>
+struct node_without_parameters {
+  static constexpr void tell(text& m) {
+    m << "cca::controller::set: ";
+    tell_node_at<Graph, Path>(m);
+    m << " has no `parameters` that could be set: name a component that has"
+      << (node_at<Graph>(Path.view()) < 0 ? ", as in `inner.component`" : ", or give it some");
+  }
+};
+// Of a part that is to stop, or to start.
+template <class Graph, fixed_string Path>
+struct never_stopped_alone {
+  static constexpr void tell(text& m) {
+    m << "strategy.not_stoppable: ";
+    tell_node_at<Graph, Path>(m);
+    m << " can not be stopped on its own: write "
+      << (node_at<Graph>(Path.view()) < 0 ? "`cca::stoppable<>` behind the graph in its node"
+                                          : "`cca::stoppable<...>` around its strategy in its node");
+  }
+};
+template <class Graph, fixed_string Path>
 struct parameters_at {
   static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
-  static_assert(!has_path<Graph>(hash(Path.view())),
-                "cca::controller::set: this node has no `parameters`; name a component that has");
+  static_assert(
+      holds_or_tells<!has_path<Graph>(hash(Path.view())), node_without_parameters<Graph, Path>>::value);
   struct type {
     template <class... Values>
     constexpr type(Values&&...) {}

@@ -129,6 +129,13 @@ struct empty_layer {
     m << " (inputs, layers, outputs) has no units; each number in cca::hidden_layers<...> is at least 1";
   }
 };
+template <int Inputs>
+struct no_outputs {
+  static constexpr void tell(text& m) {
+    m << "mapping.bad_policy: a cca::feed_forward has " << Inputs
+      << " inputs and no number of outputs: write it behind them, and behind the layers between";
+  }
+};
 // In a function; mapping.hpp says why.
 template <int... Units>
 constexpr auto check_layers() {
@@ -139,9 +146,9 @@ constexpr auto check_layers() {
 
 template <class Activation, int Inputs, int... Others>
 struct feed_forward {
-  static_assert(sizeof...(Others) >= 1, "cca::feed_forward: it needs a number of outputs");
+  static_assert(detail::holds_or_tells<(sizeof...(Others) >= 1), detail::no_outputs<Inputs>>::value);
   using checked = decltype(detail::check_layers<Inputs, Others...>());
-  static constexpr int outputs = std::array{Others...}.back();
+  static constexpr int outputs = std::array{Inputs, Others...}.back();
   static constexpr int weight_count = detail::weights_of_layers<Inputs, Others...>;
   using input = Eigen::Matrix<double, Inputs, 1>;
   using output = Eigen::Matrix<double, outputs, 1>;

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca {
@@ -51,12 +52,21 @@ namespace detail {
                                (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
+template <int N>
+struct too_few_functions {
+  static constexpr void tell(text& m) {
+    m << "learner.model: a discrete movement primitive has " << N
+      << (N == 1 ? " basis function" : " basis functions")
+      << ", and it has at least two: write a larger number";
+  }
+};
+
 }  // namespace detail
 
 // `decay` is a of the canonical system: x = e^-a at the end of the movement.
 template <int N>
 activations<N> discrete_activations(double x, double decay) {
-  static_assert(N >= 2, "a discrete movement primitive has at least two basis functions");
+  static_assert(detail::holds_or_tells<(N >= 2), detail::too_few_functions<N>>::value);
   activations<N> psi;
   const double ratio = std::exp(-decay / (N - 1));
   double centre = 1;

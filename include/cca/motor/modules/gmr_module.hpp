@@ -35,6 +35,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include <cca/space/messages/space_in_words.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/module/three_in_a_row.hpp>
 #include <cca/adaptive/ode_solver.hpp>
@@ -46,12 +48,28 @@
 
 namespace cca {
 
+namespace detail {
+
+template <class Input>
+struct no_line {
+  static constexpr void tell(text& m) {
+    m << "cca::gmr_module: its input is " << space_in_words<Input>();
+    if (Input::size != 1)
+      m << ", which has " << Input::size
+        << " axes, and a mixture is learned over one: name a space of one axis, as a time or a progress";
+    else
+      m << ", which is a phase, and a mixture is learned over a line, not a circle: use "
+           "cca::dmp_rhythmic_module for a movement over a phase";
+  }
+};
+
+}  // namespace detail
+
 template <detail::LinearSpace Input, detail::LinearSpace S, int K, class Integrator>
 class regression_motion {
-  static_assert(Input::size == 1, "cca::gmr_module: the space of its input has more than one axis");
-  static_assert(!std::is_same_v<typename Input::domain, cca::phase>,
-                "cca::gmr_module: its input is a phase, and a mixture is learned over a line, not a circle; "
-                "use dmp_rhythmic_module for a movement over a phase");
+  static_assert(
+      detail::holds_or_tells<(Input::size == 1 && !std::is_same_v<typename Input::domain, cca::phase>),
+                             detail::no_line<Input>>::value);
 
 public:
   using ode = attractor_ode<S::size>;

@@ -86,12 +86,12 @@ struct along_third_frame {
 };
 }  // namespace detail
 
-template <Body Type,
+template <class Type,
           fixed_string Part,
           class Angles,
           class Velocities,
           class Torques,
-          class Along = typename Type::base_frame,
+          class Along = typename detail::checked_body<Type>::base_frame,
           class Attitude = base_attitude>
 struct cartesian_impedance {
   using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
@@ -292,5 +292,21 @@ private:
   bool begun = false, gap = false;
   detail::compliance_counts counts{};
 };
+template <class Type,
+          fixed_string Part,
+          class Angles,
+          class Velocities,
+          class Torques,
+          class Along,
+          class Attitude>
+  requires(!Body<Type>)
+struct cartesian_impedance<Type, Part, Angles, Velocities, Torques, Along, Attitude>
+    : cartesian_impedance<typename detail::body_or_refused<Type>::type,
+                          Part,
+                          Angles,
+                          Velocities,
+                          Torques,
+                          Along,
+                          Attitude> {};
 
 }  // namespace cca

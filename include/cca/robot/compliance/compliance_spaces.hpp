@@ -55,10 +55,11 @@ namespace detail {
 
 template <class Body, fixed_string Part>
 struct end_of_part {
-  static constexpr int index = part_index<Body>(Part.view());
-  static_assert(holds_or_tells<(index >= 0), unknown_part<Body, Part>>::value);
+  using body = checked_body<Body>;
+  static constexpr int index = part_index<body>(Part.view());
+  static_assert(holds_or_tells<(index >= 0), unknown_part<body, Part>>::value);
   using frame = typename std::tuple_element_t<static_cast<std::size_t>(index < 0 ? 0 : index),
-                                              typename Body::parts>::chain::tip_frame;
+                                              typename body::parts>::chain::tip_frame;
 };
 
 // The worse of two statuses.

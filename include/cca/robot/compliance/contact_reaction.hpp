@@ -66,7 +66,7 @@ enum class reaction : std::uint8_t { stop, yield, follow };
 struct contact_axis : dimension<"contact"> {};
 struct contact_port : space<status, axes<contact_axis>> {};
 
-template <Body Type, class Angles, class Velocities, class Torques, class Attitude = base_attitude>
+template <class Type, class Angles, class Velocities, class Torques, class Attitude = base_attitude>
 struct contact_reaction {
   using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
                               decltype(detail::check_axes<Type, joint_velocities, Velocities>()),
@@ -189,6 +189,11 @@ private:
   contact state = contact::none;
   double for_s = 0;
   vector at_contact = vector::Zero();
+};
+template <class Type, class Angles, class Velocities, class Torques, class Attitude>
+  requires(!Body<Type>)
+struct contact_reaction<Type, Angles, Velocities, Torques, Attitude>
+    : contact_reaction<typename detail::body_or_refused<Type>::type, Angles, Velocities, Torques, Attitude> {
 };
 
 }  // namespace cca

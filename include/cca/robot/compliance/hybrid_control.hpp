@@ -58,7 +58,7 @@
 
 namespace cca {
 
-template <Body Type,
+template <class Type,
           fixed_string Part,
           class Angles,
           class Velocities,
@@ -211,5 +211,14 @@ private:
   vector_6 integrated = vector_6::Zero();
   detail::compliance_counts counts{};
 };
+template <class Type, fixed_string Part, class Angles, class Velocities, class Torques, class Attitude>
+  requires(!Body<Type>)
+struct hybrid_control<Type, Part, Angles, Velocities, Torques, Attitude>
+    : hybrid_control<typename detail::body_or_refused<Type>::type,
+                     Part,
+                     Angles,
+                     Velocities,
+                     Torques,
+                     Attitude> {};
 
 }  // namespace cca

@@ -64,7 +64,7 @@
 
 namespace cca {
 
-template <Body Type, class Angles, class Velocities, class Torques, class Attitude = base_attitude>
+template <class Type, class Angles, class Velocities, class Torques, class Attitude = base_attitude>
 struct joint_impedance {
   using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
                               decltype(detail::check_axes<Type, joint_velocities, Velocities>()),
@@ -202,5 +202,9 @@ private:
 
   detail::compliance_counts counts{};
 };
+template <class Type, class Angles, class Velocities, class Torques, class Attitude>
+  requires(!Body<Type>)
+struct joint_impedance<Type, Angles, Velocities, Torques, Attitude>
+    : joint_impedance<typename detail::body_or_refused<Type>::type, Angles, Velocities, Torques, Attitude> {};
 
 }  // namespace cca

@@ -60,7 +60,7 @@ struct guard_port : space<status, axes<guard_axis>> {};
 struct tank_axis : dimension<"tank"> {};
 struct tank_energy : space<number, axes<tank_axis>> {};  // J
 
-template <Body Type, class Angles, class Velocities, class Torques>
+template <class Type, class Angles, class Velocities, class Torques>
 struct passivity_guard {
   using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
                               decltype(detail::check_axes<Type, joint_velocities, Velocities>()),
@@ -152,5 +152,9 @@ private:
   bool begun = false, gap = false;
   std::int64_t limited = 0;
 };
+template <class Type, class Angles, class Velocities, class Torques>
+  requires(!Body<Type>)
+struct passivity_guard<Type, Angles, Velocities, Torques>
+    : passivity_guard<typename detail::body_or_refused<Type>::type, Angles, Velocities, Torques> {};
 
 }  // namespace cca

@@ -39,7 +39,7 @@
 
 namespace cca {
 
-template <Body Type, class Angles, class Velocities, class Torques, class Attitude = base_attitude>
+template <class Type, class Angles, class Velocities, class Torques, class Attitude = base_attitude>
 struct momentum_observer {
   using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
                               decltype(detail::check_axes<Type, joint_velocities, Velocities>()),
@@ -100,6 +100,11 @@ struct momentum_observer {
 private:
   vector external = vector::Zero(), momentum = vector::Zero(), load_before = vector::Zero();
   bool begun = false;
+};
+template <class Type, class Angles, class Velocities, class Torques, class Attitude>
+  requires(!Body<Type>)
+struct momentum_observer<Type, Angles, Velocities, Torques, Attitude>
+    : momentum_observer<typename detail::body_or_refused<Type>::type, Angles, Velocities, Torques, Attitude> {
 };
 
 }  // namespace cca

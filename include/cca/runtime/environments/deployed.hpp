@@ -25,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/environments/environment_threads.hpp>
 #include <cca/runtime/environments/figures_of_runs.hpp>
@@ -43,9 +44,8 @@ namespace cca {
 // A deployment that breaks a rule gives one error, which is the message.
 template <class D>
 class deployed : public controller<D> {
-  static_assert(AnyDeployment<D> || !well_formed<D>,
-                "cca::deployed: its argument is no deployment: derive it from cca::deployment<Architecture, "
-                "cca::environment<...>, ...>, or run the graph by cca::controller<Graph>");
+  static_assert(
+      detail::holds_or_tells<(AnyDeployment<D> || !well_formed<D>), detail::no_deployment<D>>::value);
 
 public:
   template <class... Arguments>

@@ -23,13 +23,26 @@
 #include <string>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/graph/deployment/environments.hpp>
 
 namespace cca {
 
+namespace detail {
+
+template <int Number>
+struct no_core {
+  static constexpr void tell(text& m) {
+    m << "deployment.bad_environment: `cca::on_core<" << Number
+      << ">` is no core: they are counted from 0, as `nproc --all` says how many there are";
+  }
+};
+
+}  // namespace detail
+
 template <int Number>
 struct on_core {
-  static_assert(Number >= 0, "cca::on_core: cores are counted from 0");
+  static_assert(detail::holds_or_tells<(Number >= 0), detail::no_core<Number>>::value);
 };
 
 // Where: `on_core<N>`, or nothing.
@@ -52,10 +65,16 @@ struct wish_of {
                 "cca::environment: after the nodes stand options of its thread, cca::realtime<Priority> or "
                 "cca::realtime_if_allowed<Priority>, with cca::on_core<N> in it or not");
 };
+template <int Priority>
+struct no_priority {
+  static constexpr void tell(text& m) {
+    m << "deployment.bad_environment: the priority " << Priority
+      << " of cca::realtime is none: they go from 1 to 99, the most urgent";
+  }
+};
 template <int Priority, int... Core>
 constexpr thread_wish make_wish(bool is_needed) {
-  static_assert(Priority >= 1 && Priority <= 99,
-                "cca::realtime: priorities go from 1 to 99, the most urgent");
+  static_assert(holds_or_tells<(Priority >= 1 && Priority <= 99), no_priority<Priority>>::value);
   static_assert(sizeof...(Core) <= 1, "cca::realtime: at most one core");
   return {Priority, sizeof...(Core) == 0 ? -1 : (-1 + ... + (Core + 1)), is_needed};
 }

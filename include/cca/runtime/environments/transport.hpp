@@ -74,6 +74,15 @@ struct no_transport {
          "cca::Transport (docs/transports.md: An own transport)";
   }
 };
+// Its first argument.
+template <class D>
+struct no_deployment {
+  static constexpr void tell(text& m) {
+    m << "cca::deployed: `" << type_name<D>() << "` is no deployment: derive one from `cca::deployment<"
+      << type_name<D>() << ", cca::environment<...>, ...>`, or run the graph by `cca::controller<"
+      << type_name<D>() << ">`";
+  }
+};
 
 }  // namespace detail
 

@@ -29,6 +29,7 @@
 #include <string>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/live/live_outputs.hpp>
 #include <cca/runtime/live/live_requests.hpp>
@@ -127,12 +128,22 @@ private:
   std::atomic<bool> ends{false};
 };
 
+template <class Type>
+struct not_live {
+  static constexpr void tell(text& m) {
+    m << "cca::live_access: it is made from a cca::controller or a cca::deployed, and `" << type_name<Type>()
+      << "` is neither: give it the one that runs the graph";
+  }
+};
+
 }  // namespace detail
 
 template <class Controller>
 class live_access {
-  static_assert(sizeof(Controller) == 0,
-                "cca::live_access: it is made from a cca::controller or a cca::deployed");
+  static_assert(detail::holds_or_tells<false, detail::not_live<Controller>>::value);
+
+public:
+  explicit live_access(const Controller&) {}
 };
 
 template <class Graph>

@@ -67,6 +67,18 @@ struct unknown_axis {
   }
 };
 
+// Of what is asked by axis, or about limits, of a space whose numbers do not belong to its axes.
+template <class Space>
+struct no_number_per_axis {
+  static constexpr void tell(text& m) {
+    m << "space.unknown_axis: " << space_in_words<Space>() << " has " << Space::size << " numbers over "
+      << Space::axes::count << (Space::axes::count == 1 ? " axis" : " axes")
+      << ", so none of them is that of an axis, and none has limits: use `vector()`, or a space of one "
+         "number "
+         "per axis";
+  }
+};
+
 // "the domain types differ"
 template <class A, class B>
 constexpr std::string_view difference_in_words() {

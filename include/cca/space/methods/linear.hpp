@@ -76,8 +76,7 @@ struct per_axis : mixin<Self> {
   constexpr bool within_limits() const {
     using space = typename Self::space;
     using quantity = typename space::domain::quantity;
-    static_assert(space::size == space::axes::count,
-                  "cca: this domain type has no number per axis, and so no limits");
+    static_assert(holds_or_tells<(space::size == space::axes::count), no_number_per_axis<space>>::value);
     bool within = true;
     for (int i = 0; i < space::size; ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -91,8 +90,7 @@ struct per_axis : mixin<Self> {
   constexpr Self clamped() const {
     using space = typename Self::space;
     using quantity = typename space::domain::quantity;
-    static_assert(space::size == space::axes::count,
-                  "cca: this domain type has no number per axis, and so no limits");
+    static_assert(holds_or_tells<(space::size == space::axes::count), no_number_per_axis<space>>::value);
     typename space::vector_type v;
     for (int i = 0; i < space::size; ++i) {
       const auto at = static_cast<std::size_t>(i);

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include <cca/space/messages/space_in_words.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/methods/linear.hpp>
 
 namespace cca {
@@ -48,6 +50,26 @@ struct number : detail::linear_domain {
   struct methods : detail::additive<Self> {};
 };
 
+namespace detail {
+
+template <class Space, class Enum>
+struct states_of_many_axes {
+  static constexpr void tell(text& m) {
+    m << "space.unknown_axis: " << space_in_words<Space>()
+      << " has a state along each of its axes: name one, "
+      << "as in `as<" << type_name<Enum>() << ">(" << axis_in_words(typename Space::axes(), 0) << "{})`";
+  }
+};
+template <class Space, class Type>
+struct no_state {
+  static constexpr void tell(text& m) {
+    m << "cca::status: `as<" << type_name<Type>() << ">()` reads a sample of " << space_in_words<Space>()
+      << ", whose numbers are states: name the enumeration of these states, as in `as<cca::ode_status>()`";
+  }
+};
+
+}  // namespace detail
+
 // The number of an enumerator. States have no order and no distance, so they are not interpolated.
 struct status : detail::linear_domain {
   template <class Self>
@@ -61,8 +83,8 @@ struct status : detail::linear_domain {
 
     template <class Enum>
     constexpr Enum as() const {
-      static_assert(Self::space::size == 1,
-                    "cca::status: this space has several axes; name one: as<state>(axis{})");
+      static_assert(detail::holds_or_tells<(Self::space::size == 1),
+                                           detail::states_of_many_axes<typename Self::space, Enum>>::value);
       return read<Enum>(this->self().vector().coeff(0));
     }
 
@@ -74,7 +96,13 @@ struct status : detail::linear_domain {
   private:
     template <class Enum>
     static constexpr Enum read(double number) {
-      static_assert(std::is_enum_v<Enum>, "cca::status: the type in as<...>() must be an enumeration");
+      static_assert(
+          detail::holds_or_tells<std::is_enum_v<Enum>, detail::no_state<typename Self::space, Enum>>::value);
+      if constexpr (!std::is_enum_v<Enum>) return {};
+      else return enumerator<Enum>(number);
+    }
+    template <class Enum>
+    static constexpr Enum enumerator(double number) {
       using whole = std::underlying_type_t<Enum>;
       // A double holds whole numbers exactly up to 2^53.
       constexpr double most = std::min(0x1p53, static_cast<double>(std::numeric_limits<whole>::max()));

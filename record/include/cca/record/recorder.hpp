@@ -37,6 +37,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/graph/marks/unmarked.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/record/loops/recorded_loop.hpp>
 #include <cca/record/loops/recorded_loops.hpp>
@@ -50,9 +51,9 @@ template <class Controller>
 class recorder {
   using recorded = detail::recorded_loops<Controller>;
   using whole = typename recorded::whole;
-  static_assert(cca::detail::Recordable<whole>,
-                "cca::recording::recorder: derive the graph from cca::recordable, too: "
-                "struct trot : cca::graph<...>, cca::recordable {};");
+  static_assert(
+      cca::detail::holds_or_tells<cca::detail::Recordable<whole>,
+                                  cca::detail::unmarked<whole, cca::detail::observer::recorder>>::value);
 
 public:
   recorder(Controller& c, const std::string& name, const settings& s = {})

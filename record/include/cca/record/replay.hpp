@@ -27,6 +27,7 @@
 #include <memory>
 #include <string>
 
+#include <cca/graph/marks/unmarked.hpp>
 #include <cca/record/replay/replay_run.hpp>
 #include <cca/record/replay/result.hpp>
 
@@ -34,9 +35,13 @@ namespace cca::recording {
 
 template <class Graph, class Prepare>
 replay_result replay(const std::string& file, Prepare prepare) {
-  static_assert(cca::detail::Recordable<Graph>,
-                "cca::recording::replay: derive the graph from cca::recordable");
-  if constexpr (well_formed<Graph>) {
+  constexpr bool is_recordable = cca::detail::Recordable<Graph>;
+  static_assert(
+      cca::detail::holds_or_tells<is_recordable,
+                                  cca::detail::unmarked<Graph, cca::detail::observer::replay>>::value);
+  if constexpr (!is_recordable) {
+    return {};
+  } else if constexpr (well_formed<Graph>) {
     const auto run = std::make_unique<detail::replay_run<Graph>>(file);
     prepare(run->robot());
     return run->go();

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/graph/marks/unmarked.hpp>
 #include <cca/graph/items/modes.hpp>
 #include <cca/graph/modes/plan_of_modes.hpp>
 #include <cca/record/loops/recorded_loop.hpp>
@@ -44,8 +45,11 @@ inline std::string joined(const std::vector<std::string>& names) {
 
 template <class Controller>
 struct recorded_loops {
-  static_assert(sizeof(Controller) == 0,
-                "cca::recording::recorder: it records a cca::controller or a cca::deployed");
+  static_assert(cca::detail::holds_or_tells<
+                false,
+                cca::detail::not_observed<Controller, cca::detail::observer::recorder>>::value);
+  struct whole : recordable {};  // so that there is one error
+  using loops = std::tuple<>;
 };
 
 // A graph, or a set of modes: one loop.
