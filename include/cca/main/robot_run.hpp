@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -47,6 +51,24 @@ std::string left_behind(const std::string& called,
 void print_figures(const std::vector<environment_figures>& all);
 
 void tell_as(const std::string& called, const std::string& what);
+
+// Looks for a sentence a few times a second, in a thread of its own, and says it once: for what a run that
+// can't return does not tell.
+class told_meanwhile {
+public:
+  // `look`: the sentence; empty: there is none. It is told when it was there in two looks. Cost: a thread
+  // that sleeps.
+  told_meanwhile(std::function<std::string()> look, std::function<void(const std::string&)> tell);
+
+private:
+  std::mutex sleeping{};
+  std::condition_variable_any woken{};
+  std::jthread looking;
+};
+// Of a deployment whose fault has ended a run that has not returned.
+std::string told_of_fault(std::int64_t period,
+                          const fault_of_run& fault,
+                          const std::vector<std::string>& waits_for);
 
 template <class Program>
 class robot_run {
@@ -159,11 +181,30 @@ private:
     };
     const until_signal<decltype(after_beat)> between{after_beat, interrupted, program.control};
     if (gives_beat()) typed.emplace(program.control, called, s.commands);
+    std::optional<told_meanwhile> told;
+    if constexpr (is_deployed) tell_faults_of(c, interrupted, told);
     if constexpr (!is_deployed) c.run(length, counted_pace(s.speed, beats), between);
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
     const bool is_over = !goes_on || c.state() == state::faulted || c.beat_index() - first >= length.count;
     if (!is_over) ended_by_others = "another process has ended the run " + at(c);
+  }
+
+  // A fault is told while other environments hold the run up, too. From then on the robot is being stopped.
+  void tell_faults_of(const controller_type& c,
+                      const interruption& interrupted,
+                      std::optional<told_meanwhile>& told) {
+    unconfirmed = left("its robot has been stopping since its fault, but whether it has was not said");
+    told.emplace(
+        [&c] {
+          const unreturned_fault now = c.fault_before_return();
+          return told_of_fault(controller_type::period(), {now.beat, now.path, now.reason, now.cause},
+                               now.waits_for);
+        },
+        [this, &interrupted](const std::string& fault) {
+          interrupted.leaves_behind(unconfirmed.c_str());
+          tell(fault);
+        });
   }
 
   // Only the process of the first environment can pause the run.
@@ -201,7 +242,7 @@ private:
   }
 
   Program& program;
-  std::string called, ended_by_others{};
+  std::string called, ended_by_others{}, unconfirmed{};
   bool is_to_stop = false;
   counted_beats beats{};
   std::optional<run_commands> typed{};  // its thread ends when all is written: a robot does not wait for it

@@ -2,11 +2,16 @@
 // compiled once for the program (cca/base/separate/compiled.hpp).
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <mutex>
+#include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cca/base/after_run.hpp>
@@ -65,6 +70,30 @@ CCA_MAIN_INLINE void print_figures(const std::vector<environment_figures>& all) 
 
 CCA_MAIN_INLINE void tell_as(const std::string& called, const std::string& what) {
   std::cerr << called + ": " + what + '\n';
+}
+
+CCA_MAIN_INLINE told_meanwhile::told_meanwhile(std::function<std::string()> look,
+                                               std::function<void(const std::string&)> tell)
+    : looking([this, look = std::move(look), tell = std::move(tell)](std::stop_token ends) {
+        std::unique_lock lock(sleeping);
+        for (bool was_there = false; !ends.stop_requested();) {
+          woken.wait_for(lock, ends, std::chrono::milliseconds(200), [] { return false; });
+          if (ends.stop_requested()) return;
+          const std::string found = look();
+          if (was_there && !found.empty()) return tell(found);
+          was_there = !found.empty();
+        }
+      }) {}
+
+CCA_MAIN_INLINE std::string told_of_fault(std::int64_t period,
+                                          const fault_of_run& fault,
+                                          const std::vector<std::string>& waits_for) {
+  if (fault.beat < 0) return {};
+  std::string others = waits_for.empty() ? "all environments" : "";
+  for (std::size_t i = 0; i < waits_for.size(); ++i)
+    others += (i == 0 ? "" : i + 1 < waits_for.size() ? ", " : " and ") + waits_for[i];
+  return causes_of_run(period).sentences(&fault).front() + "; the run waits until " + others +
+         (waits_for.size() == 1 ? " has" : " have") + " ended";
 }
 
 }  // namespace cca::detail

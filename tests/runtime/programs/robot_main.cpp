@@ -79,8 +79,15 @@ struct patient : cca::deployment<architecture,
                                  cca::environment<"mind", cca::other_nodes>,
                                  cca::tolerate<100'000>> {};
 
+// But where contact has to be lost.
+struct punctual : cca::deployment<architecture,
+                                  cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
+                                  cca::environment<"mind", cca::other_nodes>,
+                                  cca::tolerate<500>> {};
+
 using one_loop = telling<architecture>;
 using two_loops = telling<patient>;
+using two_in_time = telling<punctual>;
 
 template <class Program>
 child run(std::vector<std::string> words) {
@@ -244,6 +251,39 @@ TEST_SUITE("robot_main") {
     CHECK_EQ(robot.code(), 1);
     CHECK(robot.err.find("lost contact with `mind`") != std::string::npos);
     CHECK(robot.out.find("stop;finish;") != std::string::npos);
+  }
+
+  TEST_CASE("a fault is told while a process that stands still holds the run up") {
+    const std::string name = fresh_name();
+    child mind = run<two_in_time>({"--only", "mind", "--shared-memory", name});
+    child robot = run<two_in_time>({"--only", "robot", "--shared-memory", name, "--pace", "wall-clock"});
+    robot.wait_for("between;");
+    mind.wait_for("between;");
+    mind.send(SIGSTOP);
+    robot.wait_for_error("lost contact with `mind`");
+    robot.wait_for_error("; the run waits until `mind` has ended\n");
+    CHECK(robot.err.starts_with("walk: fault, after "));
+    ::usleep(2'100'000);  // since the first SIGINT
+    robot.send(SIGINT);
+    ::usleep(2'100'000);
+    robot.send(SIGINT);
+    CHECK_EQ(robot.code(), 130);
+    CHECK(robot.err.find("Left behind: its robot has been stopping since its fault, but whether it has was "
+                         "not said; the other processes lose contact\n") != std::string::npos);
+  }
+
+  TEST_CASE("a fault is told while a beat of another environment hangs") {
+    struct hanging : two_in_time {
+      void started(controller_type& c) override {
+        two_in_time::started(c);
+        stall_in_ms = 8000;
+        beat_that_stalls = 50;
+      }
+    };
+    child one = run<hanging>({"--pace", "wall-clock"});
+    one.wait_for_error("; the run waits until `mind` has ended\n");
+    CHECK(one.err.starts_with("walk: fault, after "));
+    CHECK(one.err.find("lost contact with `mind`: `mind` needed ") != std::string::npos);
   }
 
   TEST_CASE("a program offers a transport by one line") {

@@ -1,6 +1,7 @@
 // The figures of a deployment's wall-clock runs. `Self` has the exchange, in `shared`.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +12,14 @@
 #include <cca/runtime/environments/waiting/lost_contact.hpp>
 
 namespace cca::detail {
+
+// The fault of a run that has not returned yet, and the environments that hold it up: of this process those
+// that are in a beat, of others those that have not ended.
+struct unreturned_fault {
+  std::int64_t beat = -1;  // -1: there is none
+  std::string path{}, reason{}, cause{};
+  std::vector<std::string> waits_for{};
+};
 
 template <class Self, class D>
 class figures_of_runs {
@@ -40,6 +49,28 @@ public:
   std::string fault_cause() const {
     const Self& self = static_cast<const Self&>(*this);
     return self.state() == state::faulted ? contact.template text<D>() : std::string();
+  }
+  // The fault of a run that has not returned. Any thread, while it runs.
+  unreturned_fault fault_before_return() const {
+    unreturned_fault one;
+    const Self& self = static_cast<const Self&>(*this);
+    const auto& all = *self.shared;
+    const auto& first = *std::ranges::min_element(
+        all.environments, {}, [](const auto& e) { return e.fault.position.load(std::memory_order_acquire); });
+    const std::int64_t position = first.fault.position.load(std::memory_order_acquire);
+    if (position == no_position) return one;
+    one.beat = position / exchange<D>::calls_and_one + 1;
+    one.reason = first.fault.reason.data();
+    if (first.fault.node >= 0) one.path = path_of_node<D>(first.fault.node);
+    one.cause = contact_loss::in<D>(all, static_cast<std::size_t>(&first - all.environments.data()),
+                                    array_size(self.first_here()), first.fault)
+                    .template text<D>();
+    for (std::size_t e = 0; e < all.environments.size(); ++e) {
+      const auto& each = all.environments[e];
+      const bool holds_up = self.here[e] ? each.slowest.since != 0 : each.finished < each.arrived;
+      if (holds_up) one.waits_for.push_back("`" + std::string(name_of_environment<D>(e)) + "`");
+    }
+    return one;
   }
   std::vector<environment_figures> figures() const {
     std::vector<environment_figures> all;
