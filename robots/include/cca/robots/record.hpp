@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include <cca/base/messages/tell_names.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/space.hpp>
 
@@ -32,11 +34,20 @@ struct record_of {
   template <fixed_string Name>
   static constexpr auto part(auto& numbers) {
     constexpr int i = index_of(Name.view());
-    static_assert(i < int(sizeof...(Fields)), "cca::robots::record_of: the record has no field of this name");
-    return numbers.template segment<sizes[std::size_t(i)]>(starts[std::size_t(i)]);
+    constexpr bool exists = i < int(sizeof...(Fields));
+    static_assert(cca::detail::holds_or_tells<exists, no_field<Name>>::value);
+    constexpr std::size_t at = exists ? std::size_t(i) : 0;
+    return numbers.template segment<sizes[at]>(starts[at]);
   }
 
 private:
+  template <fixed_string Name>
+  struct no_field {
+    static constexpr void tell(auto& m) {
+      m << "cca::robots::record_of: this record has no field `" << Name.view() << "`";
+      cca::detail::tell_names(m, Name.view(), names);
+    }
+  };
   static constexpr std::array<std::string_view, sizeof...(Fields)> names{Fields::name.view()...};
   static constexpr std::array<int, sizeof...(Fields)> sizes{Fields::size...};
   static constexpr auto starts = [] {

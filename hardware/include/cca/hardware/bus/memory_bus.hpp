@@ -23,6 +23,7 @@
 #include <limits>
 #include <span>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/bus/bus_fault.hpp>
 #include <cca/hardware/bus/can_bus.hpp>
 #include <cca/hardware/bus/fault_dice.hpp>
@@ -38,10 +39,23 @@ struct memory_bus_options {
   std::span<const bus_fault> script{};
 };
 
+namespace detail {
+
+template <std::size_t Ends, std::size_t Depth, std::size_t Arrivals>
+struct bus_without_room {
+  static constexpr void tell(auto& m) {
+    m << "cca::hardware::memory_bus: " << static_cast<std::int64_t>(Ends) << " ends with queues of "
+      << static_cast<std::int64_t>(Depth) << " and " << static_cast<std::int64_t>(Arrivals)
+      << " places are no bus: make these numbers at least 2, 1 and 1";
+  }
+};
+
+}  // namespace detail
+
 template <std::size_t Ends = 2, std::size_t Depth = 16, std::size_t Arrivals = 256>
 class memory_bus {
-  static_assert(Ends >= 2 && Depth >= 1 && Arrivals >= 1,
-                "cca::hardware::memory_bus: a bus has at least two ends, and a queue at least one place");
+  static_assert(cca::detail::holds_or_tells<(Ends >= 2 && Depth >= 1 && Arrivals >= 1),
+                                            detail::bus_without_room<Ends, Depth, Arrivals>>::value);
 
 public:
   class end_type {

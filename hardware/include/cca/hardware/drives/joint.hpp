@@ -15,6 +15,7 @@
 // some multiplications. docs/hardware.md.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -210,5 +211,26 @@ struct joint_list {
   static constexpr std::array<std::string_view, count> names{Joints::axis::name...};
   static constexpr std::array<bool, count> continuous{is_continuous<typename Joints::axis>...};
 };
+
+namespace detail {
+
+// Of `connect(...)`.
+template <std::size_t Given, class Board, class... J>
+struct other_count_of_buses {
+  static constexpr void tell(auto& m) {
+    constexpr std::size_t last = std::max({Board::bus, J::bus...});
+    m << "robot.drives: " << static_cast<std::int64_t>(Given) << (Given == 1 ? " bus is" : " buses are")
+      << " connected, and the joints and the board of this robot are on "
+      << static_cast<std::int64_t>(last + 1) << ": give one for each number from 0 to "
+      << static_cast<std::int64_t>(last);
+    const char* between = "; on the last is `";
+    const auto one = [&](bool is_there, std::string_view name) {
+      if (is_there) m << between << name << "`", between = ", `";
+    };
+    (one(J::bus == last, J::axis::name), ...);
+  }
+};
+
+}  // namespace detail
 
 }  // namespace cca::hardware

@@ -53,11 +53,18 @@ struct no_moteus_number {
       << ": a moteus has a number from 1 to 127, and not the one that we send from, which is at most 127";
   }
 };
+template <class Motor, std::uint16_t Prefix>
+struct no_prefix {
+  static constexpr void tell(auto& m) {
+    m << "drive.bad_number: the prefix of " << Motor::name << " is " << static_cast<std::int64_t>(Prefix)
+      << ", and `can.prefix` of a moteus has 13 bits: write a number from 0 to 8191";
+  }
+};
 }  // namespace detail
 
 template <MoteusMotor Motor, std::uint8_t Servo, std::uint8_t Source = 0, std::uint16_t Prefix = 0>
 struct moteus {
-  static_assert(Prefix <= 0x1FFF, "cca::hardware::moteus: can.prefix has 13 bits");
+  static_assert(cca::detail::holds_or_tells<(Prefix <= 0x1FFF), detail::no_prefix<Motor, Prefix>>::value);
   static_assert(cca::detail::holds_or_tells<(Servo >= 1 && Servo <= 127 && Source <= 127 && Servo != Source),
                                             detail::no_moteus_number<Motor, Servo, Source>>::value);
   using motor = Motor;

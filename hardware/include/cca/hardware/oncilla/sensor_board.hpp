@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <cca/hardware/robot/boards/ids_of_board.hpp>
 #include <cca/hardware/drives/board_numbers.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/robots/oncilla/axes.hpp>
@@ -64,8 +65,8 @@ struct sensor_board {
   static constexpr bit_rates rates = Rates;
   static constexpr std::array<frame_traffic, 1> traffic{{{.shape = {.length = 8}, .a_cycle = 6}}};
 
-  static_assert(Base + angles <= 0x7FF,
-                "cca::hardware::sensor_board: its ids are base to base + 5, of 11 bits");
+  static_assert(
+      cca::detail::holds_or_tells<(Base + angles <= 0x7FF), detail::ids_of_board<Base, angles + 1>>::value);
   static constexpr std::size_t bus = Bus;
   static constexpr std::array<can_filter, 5> replies{{{standard(Base + orientation)},
                                                       {standard(Base + motion)},

@@ -37,6 +37,7 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/hardware/drives/set_points.hpp>
@@ -83,10 +84,11 @@ public:
 
   template <class... Buses>
   void connect(Buses&... all) {
+    constexpr bool all_given = sizeof...(Buses) == buses;
     static_assert(
-        sizeof...(Buses) == buses,
-        "cca::hardware::drive_synchronizer: connect as many buses as the joints and the board are on");
-    outbox.connect({&all...});
+        cca::detail::holds_or_tells<all_given,
+                                    detail::other_count_of_buses<sizeof...(Buses), Board, J...>>::value);
+    if constexpr (all_given) outbox.connect({&all...});
   }
 
   // While a bus is away or still holds frames, and until a stop has come to its end, this waits.

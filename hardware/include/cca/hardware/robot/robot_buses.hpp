@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/bus_plan.hpp>
 #include <cca/hardware/drives/joint.hpp>
 
@@ -32,7 +33,8 @@ struct users_of_bus {
   std::array<drive_facts, Count> drives{};
   std::size_t count = 0;
   bit_rates rates{};
-  bool one_rate = true;  // all state the same bit rates
+  int other = -1;  // the first that states other bit rates than the first of all; -1: there is none
+  bit_rates other_rates{};
   constexpr std::span<const drive_facts> view() const { return {drives.data(), count}; }
 };
 template <std::size_t Count>
@@ -41,7 +43,8 @@ constexpr users_of_bus<Count> users_on(const std::array<user_of_bus, Count>& all
   for (const user_of_bus& u : all) {
     if (u.bus != bus || u.facts.traffic.empty()) continue;  // no_board has no traffic
     if (on.count == 0) on.rates = u.rates;
-    on.one_rate = on.one_rate && on.rates.nominal == u.rates.nominal && on.rates.data == u.rates.data;
+    else if (on.other < 0 && (on.rates.nominal != u.rates.nominal || on.rates.data != u.rates.data))
+      on.other = static_cast<int>(on.count), on.other_rates = u.rates;
     on.drives[on.count++] = u.facts;
   }
   return on;
@@ -56,8 +59,23 @@ struct bus_check<Bus, Rate, Board, joint_list<J...>> {
       users_on<most>({{{J::bus, J::rates, facts_of<typename J::drive>(J::axis::name)}...,
                        {Board::bus, Board::rates, facts_of<Board>()}}},
                      Bus);
-  static_assert(on.one_rate,
-                "cca::hardware::robot_buses: all drives on one bus must state the same bit rates");
+  struct two_rates {
+    static constexpr void tell(cca::detail::text& m) {
+      m << "cca::hardware::robot_buses: ";
+      user(m, 0, on.rates);
+      m << " and ";
+      user(m, static_cast<std::size_t>(on.other), on.other_rates);
+      m << " are on bus " << static_cast<std::int64_t>(Bus)
+        << ", and a bus has one rate: state the same, or connect one of them to another bus";
+    }
+
+  private:
+    static constexpr void user(cca::detail::text& m, std::size_t at, const bit_rates& rates) {
+      m << "`" << on.drives[at].name << "` (" << static_cast<std::int64_t>(rates.nominal) << " and "
+        << static_cast<std::int64_t>(rates.data) << " bit/s)";
+    }
+  };
+  static_assert(cca::detail::holds_or_tells<(on.other < 0), two_rates>::value);
   static constexpr bus_figures figures{on.view(), on.rates, Rate::hz};
   static constexpr bool sound = figures.sound();
   static constexpr void tell(cca::detail::text& m) {

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/bus/can_bus.hpp>
 
 namespace cca::hardware {
@@ -35,11 +36,21 @@ constexpr std::string_view name_of(link_cause c) {
   return names[static_cast<std::size_t>(c)];
 }
 
+namespace detail {
+
+template <int FullCycles>
+struct no_full_cycles {
+  static constexpr void tell(auto& m) {
+    m << "cca::hardware::link_supervisor: " << FullCycles
+      << " batches in a row may meet a full queue: make this number 1 or more";
+  }
+};
+
+}  // namespace detail
+
 template <int FullCycles = 3>
 class link_supervisor {
-  static_assert(FullCycles >= 1,
-                "cca::hardware::link_supervisor<N>: N is at least 1, the number of batches in a row that may "
-                "meet a full queue");
+  static_assert(cca::detail::holds_or_tells<(FullCycles >= 1), detail::no_full_cycles<FullCycles>>::value);
 
 public:
   // Call it once a beat, after the bus has received: it counts beats.

@@ -15,15 +15,27 @@
 
 #include <array>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/set_points.hpp>
 
 namespace cca::hardware {
 
+namespace detail {
+
+template <int Beats>
+struct no_time_to_get_soft {
+  static constexpr void tell(auto& m) {
+    m << "cca::hardware::soft_stop: the joints are to get soft within " << Beats
+      << " beats: make this number 1 or more";
+  }
+};
+
+}  // namespace detail
+
 template <class Joints, int Beats = 100>
 class soft_stop {
-  static_assert(Beats >= 1,
-                "cca::hardware::soft_stop<Joints, Beats>: the joints get soft within at least 1 beat");
+  static_assert(cca::detail::holds_or_tells<(Beats >= 1), detail::no_time_to_get_soft<Beats>>::value);
 
 public:
   auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints)

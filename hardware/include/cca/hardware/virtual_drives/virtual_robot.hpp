@@ -17,6 +17,7 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/virtual_drives/virtual_drive.hpp>
 
@@ -36,9 +37,11 @@ public:
 
   template <class... Buses>
   void connect(Buses&... all) {
-    static_assert(sizeof...(Buses) == buses,
-                  "cca::hardware::virtual_robot: connect as many buses as the robot is on");
-    wires = {&all...};
+    constexpr bool all_given = sizeof...(Buses) == buses;
+    static_assert(
+        cca::detail::holds_or_tells<all_given,
+                                    detail::other_count_of_buses<sizeof...(Buses), Board, J...>>::value);
+    if constexpr (all_given) wires = {&all...};
   }
 
   // Calls tap(bus, frame) for every frame.

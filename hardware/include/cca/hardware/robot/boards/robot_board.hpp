@@ -28,6 +28,7 @@
 #include <limits>
 #include <string_view>
 
+#include <cca/hardware/robot/boards/ids_of_board.hpp>
 #include <cca/hardware/drives/board_numbers.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/robots/inertial.hpp>
@@ -108,9 +109,8 @@ private:
 public:
   using base::frame_count, base::force_step, base::torque_step, base::speed_step, base::acceleration_step;
   using typename base::reading;
-  static_assert(frame_count >= 1 && Base + frame_count - 1 <= 0x7FF,
-                "cca::hardware::robot_board: at least one sensor; its ids are base to base + 2 loads + 3 "
-                "inertial units - 1, of 11 bits");
+  static_assert(cca::detail::holds_or_tells<(frame_count >= 1 && Base + frame_count - 1 <= 0x7FF),
+                                            detail::ids_of_board<Base, frame_count>>::value);
   static constexpr std::array<frame_traffic, 1> traffic{
       {{.shape = {.length = 8}, .a_cycle = static_cast<int>(frame_count)}}};
 

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/hardware/robot/boards/ids_of_board.hpp>
 #include <cca/hardware/robot/boards/robot_board.hpp>
 
 namespace cca::hardware {
@@ -40,9 +41,8 @@ private:
 public:
   using base::frame_count, base::force_step, base::torque_step, base::speed_step, base::acceleration_step;
   using typename base::reading;
-  static_assert(frame_count >= 1 && Base + frame_count - 1 <= 0x7FF,
-                "cca::hardware::robot_fd_board: at least one sensor; its ids are base to base + loads + "
-                "inertial units - 1, of 11 bits");
+  static_assert(cca::detail::holds_or_tells<(frame_count >= 1 && Base + frame_count - 1 <= 0x7FF),
+                                            detail::ids_of_board<Base, frame_count>>::value);
   static constexpr std::array<frame_traffic, 2> traffic{
       {{.shape = {.length = 16, .fd = true, .fast = true}, .a_cycle = static_cast<int>(Loads)},
        {.shape = {.length = 24, .fd = true, .fast = true}, .a_cycle = static_cast<int>(Units)}}};
