@@ -112,6 +112,9 @@ public:
   // What the program does instead of its work, and its exit code. The option takes a value if `option` says
   // so, else the text is empty.
   void instead(std::string_view option, std::function<int(const std::string&)> act, std::string_view help);
+  // `option` allows another one beside it only where why_not(name) is empty; else that is why it does not.
+  // Words without an option are asked for, too.
+  void refuses(std::string_view option, std::function<std::string(const std::string& other)> why_not);
   // Empty: its own work.
   const std::function<int()>& work_instead() const { return other_work; }
 
@@ -142,6 +145,7 @@ private:
   static std::size_t number_of(const std::string& option,
                                const std::string& given,
                                const std::vector<std::string>& all);
+  void refuse_beside() const;
   void describe(std::string_view option, std::string_view help) { listed += line_of(option, help); }
 
   std::unique_ptr<detail::option_words> app;
@@ -150,6 +154,7 @@ private:
   std::size_t most_words = 0;
   std::vector<named_file> files;
   std::vector<std::pair<std::string, const std::vector<std::string>*>> lists_of_files;
+  std::vector<std::pair<std::string, std::function<std::string(const std::string&)>>> refusing;
   std::string other_name;
   std::function<int()> other_work;
 };

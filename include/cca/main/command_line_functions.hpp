@@ -105,6 +105,23 @@ CCA_MAIN_INLINE void command_line::instead(std::string_view option,
   describe(option, help);
 }
 
+CCA_MAIN_INLINE void command_line::refuses(std::string_view option,
+                                           std::function<std::string(const std::string&)> why_not) {
+  refusing.emplace_back(name_in(option), std::move(why_not));
+}
+
+CCA_MAIN_INLINE void command_line::refuse_beside() const {
+  std::vector<std::string> given;
+  for (const CLI::Option* const one : app->parse_order()) given.push_back(one->get_name());
+  for (const std::string& word : app->remaining()) given.push_back(word);
+  for (const auto& [option, why_not] : refusing)
+    if (is_given(option))
+      for (const std::string& other : given)
+        if (other != option)
+          if (const std::string why = why_not(other); !why.empty())
+            throw command_line_error(other + " and " + option + ": " + why);
+}
+
 CCA_MAIN_INLINE bool command_line::has(std::string_view option) const {
   return app->get_option_no_throw(name_in(option)) != nullptr;
 }
@@ -131,6 +148,7 @@ CCA_MAIN_INLINE void command_line::parse(std::vector<std::string> arguments) {
                                " words; see --help");
     free_words->push_back(left);
   }
+  refuse_beside();
   for (const auto& [option, all] : lists_of_files)
     for (const std::string& file : *all) files.emplace_back(option, file);
   if (const std::string twice = complaint_of_one_file(files); !twice.empty()) throw command_line_error(twice);

@@ -110,9 +110,28 @@ CCA_MAIN_INLINE void offer_recording(command_line& line, run_settings& s) {
         "records only the ports under these scopes, as dmp or dmp.phase");
 }
 
+inline constexpr std::string_view nothing_is_written = "a replay neither records nor traces";
+
+// Why a replay does not use an option; empty: the option keeps its promise. What a program offers itself is
+// for its own functions.
+inline std::string why_not_in_replay(std::string_view option) {
+  if (option == "--quiet") return {};  // a replay prints no figures
+  if (option == "--config") return "a replay takes the parameters from the recording";
+  if (option == "--seconds") return "a replay is as long as the recording";
+  if (option == "--pace" || option == "--commands") return "a replay is always a fast run without a pause";
+  if (option == "--only" || option == "--shared-memory")
+    return "a replay computes all environments in one loop";
+  if (option == "--list" || option == "--write-parameters") return "take one of them";
+  for (const std::string_view file : {"--record", "--record-only", "--page", "--trace"})
+    if (option == file) return std::string(nothing_is_written);
+  return "a replay does not use it: it takes all from the recording, and calls no function of the program";
+}
+
 CCA_MAIN_INLINE void offer_replay(command_line& line, run_settings& s) {
+  if (line.has("--replay")) return;
   offer_file(line, "--replay", s.replay,
              "plays what this recording says was sensed, and compares what is published");
+  line.refuses("--replay", why_not_in_replay);
 }
 
 CCA_MAIN_INLINE void offer_trace(command_line& line, run_settings& s) {
@@ -132,7 +151,7 @@ CCA_MAIN_INLINE void refuse_contradictions(const run_settings& s) {
   if (s.record.empty() && s.page.empty() && !s.record_scopes.empty())
     throw command_line_error("--record-only: say by --record or --page into which file");
   if (!s.replay.empty() && !(s.record.empty() && s.page.empty() && s.trace.empty()))
-    throw command_line_error("--replay: nothing is recorded or traced meanwhile");
+    throw command_line_error("--replay: " + std::string(nothing_is_written));
 }
 
 CCA_MAIN_INLINE void refuse_contradictions(const command_line& line,

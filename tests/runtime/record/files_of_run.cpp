@@ -48,6 +48,11 @@ struct program : cca::robot_program<graph> {
 };
 child run(std::vector<std::string> words) { return child(cca::robot_main<program>, std::move(words)); }
 
+struct still : cca::graph<cca::node<"leg", leg>,
+                          cca::node<"limits", cca::limiter<leg_angles>>,
+                          cca::wire<"leg.angles", "limits.command", cca::delayed<1>>,
+                          cca::wire<"limits.safe", "leg.command", cca::delayed<1>>> {};
+
 std::string bytes_in(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -105,6 +110,63 @@ TEST_CASE("a replay says where the part of a missing recording is") {
   CHECK(one.code() == 2);
   CHECK(one.err.find("a run that did not end has left " + recording.path + ".part") != std::string::npos);
   fs::remove(recording.path + ".part");
+}
+
+TEST_CASE("a replay refuses each option that it does not use, and says why") {
+  struct replaying : program {
+    void options(cca::command_line& line) override {
+      program::options(line);
+      line.words("FILE", files, 1, "");
+    }
+    std::vector<std::string> files;
+  };
+  const temporary_file recording("beside"), other("beside_it");
+  REQUIRE(run({"--record", recording.path}).code() == 0);
+  const std::string from_recording = "a replay does not use it: it takes all from the recording, and calls no",
+                    files = "a replay neither records nor traces",
+                    pace = "a replay is always a fast run without a pause";
+  const auto refused = [&](std::vector<std::string> words, const std::string& why) {
+    const std::string option = words.front();
+    for (const bool is_first : {false, true}) {
+      std::vector<std::string> all = words;
+      const std::vector<std::string> replay{"--replay", recording.path};
+      all.insert(is_first ? all.begin() : all.end(), replay.begin(), replay.end());
+      child one(cca::robot_main<replaying>, all);
+      CAPTURE(option);
+      CHECK(one.code() == cca::exit_code::refused);
+      INFO(one.err);
+      CHECK(one.err.starts_with("walk: " + option + " and --replay: " + why));
+      CHECK(one.out == "");
+    }
+  };
+  refused({"--config", "/no/such/file"}, "a replay takes the parameters from the recording\n");
+  refused({"--seconds", "0.1"}, "a replay is as long as the recording\n");
+  refused({"--pace", "fast"}, pace);
+  refused({"--commands"}, pace);
+  refused({"--record", other.path}, files);
+  refused({"--record-only", "leg"}, files);
+  refused({"--page", other.path}, files);
+  refused({"--trace", other.path}, files);
+  refused({"--list"}, "take one of them\n");
+  refused({"--write-parameters", other.path}, "take one of them\n");
+  refused({"--csv", other.path}, from_recording);
+  refused({"word"}, from_recording);
+  CHECK_FALSE(fs::exists(other.path));
+  child quiet(cca::robot_main<replaying>, {"--quiet", "--replay", recording.path});
+  CHECK(quiet.code() == 0);
+  CHECK(quiet.out.ends_with(" samples of 100 beats, bit for bit as recorded\n"));
+  child unknown(cca::robot_main<replaying>, {"--replay", recording.path, "--slow"});
+  CHECK(unknown.code() == cca::exit_code::refused);
+  CHECK(unknown.err == "walk: --slow: no such option; --help lists them\n");
+}
+
+TEST_CASE("a replay of a deployment has no other processes") {
+  struct two : cca::deployment<still, cca::environment<"robot", cca::nodes<"leg">>,
+                               cca::environment<"mind", cca::other_nodes>>,
+               cca::recordable {};
+  child one(cca::robot_main<two>, {"--replay", "none.mcap", "--only", "mind", "--shared-memory", "/none"});
+  CHECK(one.code() == cca::exit_code::refused);
+  CHECK(one.err == "walk: --only and --replay: a replay computes all environments in one loop\n");
 }
 
 TEST_CASE("a recording has one writer") {
