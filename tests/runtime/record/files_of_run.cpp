@@ -122,7 +122,8 @@ TEST_CASE("a replay refuses each option that it does not use, and says why") {
   };
   const temporary_file recording("beside"), other("beside_it");
   REQUIRE(run({"--record", recording.path}).code() == 0);
-  const std::string from_recording = "a replay does not use it: it takes all from the recording, and calls no",
+  const std::string from_recording =
+                        "a replay does not use it: it takes all from the recording, and calls no",
                     files = "a replay neither records nor traces",
                     pace = "a replay is always a fast run without a pause";
   const auto refused = [&](std::vector<std::string> words, const std::string& why) {
