@@ -21,6 +21,7 @@
 #include <string>
 #include <string_view>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/base/type_name.hpp>
 #include <cca/dds/space_message.hpp>
@@ -168,6 +169,14 @@ private:
   std::map<std::string, std::string> spelled;  // by their names in IDL, in small letters
 };
 
+template <class Type>
+struct no_space {
+  static constexpr void tell(auto& m) {
+    m << "cca::idl: `" << cca::detail::type_name<Type>()
+      << "` is no space: give it a struct derived from cca::space<...>";
+  }
+};
+
 }  // namespace dds::detail
 
 // A space that is named twice stands there once. Refused: two spaces whose names are one in IDL, which knows
@@ -176,13 +185,13 @@ template <class... Spaces>
 std::string idl() {
   static_assert(sizeof...(Spaces) > 0,
                 "cca::idl: name the spaces, as in `cca::idl<leg_angles, trunk_pose>()`");
-  static_assert((Space<Spaces> && ...),
-                "cca::idl: one of these types is no space: give it a struct derived from cca::space<...>");
+  static_assert((detail::holds_or_tells<Space<Spaces>, dds::detail::no_space<Spaces>>::value && ...));
   dds::detail::spaces_in_idl known;
   std::string all = "// Written by cca::idl of cca " + std::to_string(version_major) + "." +
                     std::to_string(version_minor) + "." + std::to_string(version_patch) +
                     ". The messages are XCDR1, the publishers reliable and volatile.\n";
-  ((known.add<Spaces>() ? void(all += "\n" + dds::detail::idl_of_space<Spaces>()) : void()), ...);
+  if constexpr ((Space<Spaces> && ...))
+    ((known.add<Spaces>() ? void(all += "\n" + dds::detail::idl_of_space<Spaces>()) : void()), ...);
   return all;
 }
 

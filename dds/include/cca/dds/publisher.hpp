@@ -22,6 +22,8 @@
 
 #include <cstdint>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/type_name.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/component/parameters.hpp>
@@ -29,6 +31,7 @@
 #include <cca/dds/idl.hpp>
 #include <cca/dds/nodes/publishing.hpp>
 #include <cca/dds/space_message.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca::dds {
 
@@ -56,6 +59,16 @@ public:
   void on_load() { this->open(address_of_space<Space, Topic>(p.domain)); }
 };
 
+template <class Space, fixed_string Topic, class Quality>
+struct kept_command {
+  static constexpr void tell(auto& m) {
+    m << "cca::dds::command_publisher: `" << cca::detail::type_name<Quality>()
+      << "` keeps the last command of " << cca::detail::space_in_words<Space>();
+    if (!Topic.view().empty()) m << " on the topic `" << Topic.view() << "`";
+    m << ", and a robot that comes later would obey an old one: take `default_qos`";
+  }
+};
+
 }  // namespace detail
 
 template <class Space, fixed_string Topic = "", class Quality = default_qos>
@@ -65,10 +78,8 @@ struct publisher : detail::publisher_of_space<Space, Topic, Quality> {
 
 template <class Space, fixed_string Topic = "", class Quality = default_qos>
 struct command_publisher : detail::publisher_of_space<Space, Topic, Quality> {
-  static_assert(
-      !detail::is_kept<Quality>,
-      "cca::dds::command_publisher: a command must not be kept: a robot that comes later would obey an "
-      "old one; take `default_qos`");
+  static_assert(cca::detail::holds_or_tells<!detail::is_kept<Quality>,
+                                            detail::kept_command<Space, Topic, Quality>>::value);
 };
 
 }  // namespace cca::dds

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include <cca/base/fixed_string.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/dds/nodes/connection.hpp>
 #include <cca/dds/nodes/message_type.hpp>
@@ -54,11 +55,17 @@ constexpr bool names_a_topic(std::string_view name) {
 }
 
 template <fixed_string Topic>
+struct no_topic {
+  static constexpr void tell(auto& m) {
+    m << "cca::ros2: `" << Topic.view()
+      << "` is no name of a topic in ROS 2: it has words of letters, digits and `_` that do not begin with a "
+         "digit, with one `/` between them, as `arm/command`, and at most 246 letters";
+  }
+};
+
+template <fixed_string Topic>
 address address_of(const message_type& of) {
-  static_assert(
-      names_a_topic(Topic.view()),
-      "cca::ros2: this is no name of a topic in ROS 2: it has words of letters, digits and `_` that do not "
-      "begin with a digit, with one `/` between them, as \"arm/command\"");
+  static_assert(cca::detail::holds_or_tells<names_a_topic(Topic.view()), no_topic<Topic>>::value);
   std::string_view topic = Topic.view();
   if (topic.starts_with('/')) topic.remove_prefix(1);
   return {domain_of_ros(), "rt/" + std::string(topic), type_name_in_dds(of.name)};

@@ -20,6 +20,8 @@
 // the message. Example: examples/ros2/leg.cpp. Page: docs/ros2.md.
 #pragma once
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/type_name.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 #include <cca/dds/nodes/publishing.hpp>
@@ -54,6 +56,15 @@ public:
   void on_load() { this->open(address_of<Topic>(Message::type)); }
 };
 
+template <fixed_string Topic, class Quality>
+struct kept_command {
+  static constexpr void tell(auto& m) {
+    m << "cca::ros2::command_publisher: `" << cca::detail::type_name<Quality>()
+      << "` keeps the last command on the topic `" << Topic.view()
+      << "`, and a robot that comes later would obey an old one: take `default_qos`";
+  }
+};
+
 }  // namespace detail
 
 template <fixed_string Topic, class Message, class Quality = default_qos>
@@ -62,9 +73,7 @@ struct publisher : detail::publisher_of<Topic, Message, Quality, typename Messag
 template <fixed_string Topic, class Message, class Quality = default_qos>
 struct command_publisher : detail::command_publisher_of<Topic, Message, Quality, typename Message::ports> {
   static_assert(
-      !detail::is_kept<Quality>,
-      "cca::ros2::command_publisher: a command must not be kept: a robot that comes later would obey an "
-      "old one; take `default_qos`");
+      cca::detail::holds_or_tells<!detail::is_kept<Quality>, detail::kept_command<Topic, Quality>>::value);
 };
 
 }  // namespace cca::ros2

@@ -29,7 +29,9 @@
 #include <string_view>
 
 #include <cca/base/array_size.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/ros2/messages/header.hpp>
+#include <cca/ros2/messages/message_mistakes.hpp>
 #include <cca/ros2/messages/ports.hpp>
 
 namespace cca::ros2 {
@@ -103,19 +105,36 @@ struct channel_bytes<4> {
   }
 };
 
+template <fixed_string Encoding>
+struct unknown_encoding {
+  static constexpr void tell(auto& m) {
+    m << "cca::ros2::image: the encoding `" << Encoding.view() << "` is unknown: take ";
+    std::size_t n = 0;
+    for (const auto& one : pixel_formats)
+      m << (n++ == 0 ? "" : n == pixel_formats.size() ? " or " : ", ") << one.name;
+  }
+};
+template <class Space, int Width, int Height, fixed_string Encoding>
+struct other_pixels {
+  static constexpr void tell(auto& m) {
+    constexpr int channels = format_named(Encoding.view()).channels;
+    m << "space.mismatch: " << cca::detail::space_in_words<Space>() << " has " << Space::size
+      << (Space::size == 1 ? " number" : " numbers") << ", and a cca::ros2::image of " << Width << " x "
+      << Height << " pixels with " << channels << (channels == 1 ? " channel" : " channels") << " each ("
+      << Encoding.view() << ") has " << Width * Height * channels
+      << ": give the space as many, or the image another size";
+  }
+};
+
 }  // namespace detail
 
 template <class Space, int Width, int Height, fixed_string Encoding>
 struct image {
   static constexpr auto format = detail::format_named(Encoding.view());
+  static_assert(cca::detail::holds_or_tells<(format.bytes > 0), detail::unknown_encoding<Encoding>>::value);
   static_assert(
-      format.bytes > 0,
-      "cca::ros2::image: its encoding is one of mono8, 8UC1, rgb8, bgr8, rgba8, bgra8, mono16, 16UC1, "
-      "32FC1");
-  static_assert(
-      format.bytes == 0 || Space::size == Width * Height * format.channels,
-      "cca::ros2::image: its space has a number for each channel of each pixel: width x height x 1, 3 "
-      "for rgb8 and bgr8, 4 for rgba8 and bgra8");
+      cca::detail::holds_or_tells<(format.bytes == 0 || Space::size == Width * Height * format.channels),
+                                  detail::other_pixels<Space, Width, Height, Encoding>>::value);
 
   using ports = detail::port_list<detail::message_port<"image", Space>>;
   using message = detail::image_message;

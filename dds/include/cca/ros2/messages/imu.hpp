@@ -22,6 +22,7 @@
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/ros2/messages/geometry.hpp>
 #include <cca/ros2/messages/header.hpp>
+#include <cca/ros2/messages/message_mistakes.hpp>
 #include <cca/ros2/messages/ports.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/orientation.hpp>
@@ -77,22 +78,32 @@ using imu_linear_acceleration = imu_vector<"linear_acceleration",
                                            &imu_message::linear_acceleration,
                                            &imu_message::linear_acceleration_covariance>;
 
+struct imu_no_field {
+  static constexpr fixed_string name{"none"};
+};
 template <class Space>
 constexpr auto imu_field() {
   constexpr std::string_view unit = cca::detail::space_of<Space>.unit;
-  constexpr bool is_spatial = std::is_same_v<typename Space::axes, axes<x, y, z>>;
-  static_assert(
-      is_spatial &&
-          (cca::detail::is_orientation<typename Space::domain> || unit == "rad/s" || unit == "m/s^2"),
-      "cca::ros2::imu: its spaces are over axes<x, y, z>: an orientation, a space in rad/s (angular "
-      "velocity) and one in m/s^2 (linear acceleration)");
-  if constexpr (cca::detail::is_orientation<typename Space::domain>)
+  if constexpr (!std::is_same_v<typename Space::axes, axes<x, y, z>>)
+    return std::type_identity<imu_no_field>{};
+  else if constexpr (cca::detail::is_orientation<typename Space::domain>)
     return std::type_identity<imu_orientation>{};
   else if constexpr (unit == "rad/s") return std::type_identity<imu_angular_velocity>{};
-  else return std::type_identity<imu_linear_acceleration>{};
+  else if constexpr (unit == "m/s^2") return std::type_identity<imu_linear_acceleration>{};
+  else return std::type_identity<imu_no_field>{};
 }
 template <class Space>
 using imu_field_of = typename decltype(imu_field<Space>())::type;
+
+struct imu_words {
+  static constexpr std::string_view name = "imu";
+  static constexpr std::string_view holds =
+      "spaces over x, y, z: an orientation, one in rad/s (angular_velocity) and one in m/s^2 "
+      "(linear_acceleration)";
+  template <class Space>
+  static constexpr std::string_view field =
+      std::is_same_v<imu_field_of<Space>, imu_no_field> ? "" : imu_field_of<Space>::name.view();
+};
 
 }  // namespace detail
 
@@ -101,9 +112,8 @@ struct imu {
   static_assert(sizeof...(Spaces) >= 1, "cca::ros2::imu: name at least one space");
   template <class Field>
   static constexpr int times = (std::is_same_v<detail::imu_field_of<Spaces>, Field> + ... + 0);
-  static_assert(times<detail::imu_orientation> <= 1 && times<detail::imu_angular_velocity> <= 1 &&
-                    times<detail::imu_linear_acceleration> <= 1,
-                "cca::ros2::imu: two of its spaces are the same field of the message");
+  static_assert(cca::detail::holds_or_tells<detail::are_fields<detail::imu_words, Spaces...>(),
+                                            detail::other_fields<detail::imu_words, Spaces...>>::value);
 
   using ports = detail::port_list<detail::message_port<detail::imu_field_of<Spaces>::name, Spaces>...>;
   using message = detail::imu_message;

@@ -15,11 +15,13 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include <cca/base/array_size.hpp>
 #include <cca/ros2/messages/header.hpp>
 #include <cca/ros2/messages/joint_names.hpp>
+#include <cca/ros2/messages/message_mistakes.hpp>
 #include <cca/ros2/messages/ports.hpp>
 #include <cca/space/joint.hpp>
 
@@ -63,21 +65,29 @@ struct joint_field<joint_torques> {
   static constexpr auto values = &joint_state_message::effort;
 };
 
+template <class Space>
+constexpr bool has_joint_field = joint_field<typename Space::domain>::values != nullptr;
+
+struct joint_state_words {
+  static constexpr std::string_view name = "joint_state";
+  static constexpr std::string_view holds =
+      "joint_angles (position), joint_velocities (velocity) and joint_torques (effort)";
+  static constexpr std::string_view same = "the same axes, as the axes are the joints";
+  template <class Space>
+  static constexpr std::string_view field =
+      has_joint_field<Space> ? joint_field<typename Space::domain>::name.view() : "";
+};
+
 }  // namespace detail
 
 template <class First, class... Rest>
 struct joint_state {
-  template <class Domain>
-  static constexpr int times = std::is_same_v<typename First::domain, Domain> +
-                               (std::is_same_v<typename Rest::domain, Domain> + ... + 0);
-  static_assert(times<joint_angles> <= 1 && times<joint_velocities> <= 1 && times<joint_torques> <= 1 &&
-                    times<joint_angles> + times<joint_velocities> + times<joint_torques> ==
-                        1 + sizeof...(Rest),
-                "cca::ros2::joint_state: its spaces are of joint_angles (position), joint_velocities "
-                "(velocity) and joint_torques (effort), each at most once");
   static_assert(
-      (std::is_same_v<typename First::axes, typename Rest::axes> && ...),
-      "cca::ros2::joint_state: its spaces must have the same axes: they are the names of the joints");
+      cca::detail::holds_or_tells<detail::are_fields<detail::joint_state_words, First, Rest...>(),
+                                  detail::other_fields<detail::joint_state_words, First, Rest...>>::value);
+  static_assert(
+      cca::detail::holds_or_tells<detail::share_joints<detail::joint_state_words, First, Rest...>,
+                                  detail::other_joints<detail::joint_state_words, First, Rest...>>::value);
 
   using ports =
       detail::port_list<detail::message_port<detail::joint_field<typename First::domain>::name, First>,

@@ -31,6 +31,7 @@
 #include <cca/base/array_size.hpp>
 #include <cca/ros2/messages/header.hpp>
 #include <cca/ros2/messages/joint_names.hpp>
+#include <cca/ros2/messages/message_mistakes.hpp>
 #include <cca/ros2/messages/ports.hpp>
 #include <cca/space/array.hpp>
 #include <cca/space/joint.hpp>
@@ -120,6 +121,21 @@ struct element_of<Space> {
   using type = typename Space::element_space;
 };
 
+struct trajectory_words {
+  static constexpr std::string_view name = "joint_trajectory";
+  static constexpr std::string_view holds =
+      "arrays with an element for each point, as in `struct way : cca::array_of<arm_angles, 20> {};`, of "
+      "joint_angles (positions), joint_velocities (velocities), joint_accelerations (accelerations) and "
+      "joint_torques (effort)";
+  static constexpr std::string_view same =
+      "the same axes and as many elements, as the axes are the joints and the elements the points";
+  template <class Space>
+  static constexpr std::string_view field = [] {
+    using of_element = trajectory_field<typename element_of<Space>::type::domain>;
+    return ArraySpace<Space> && of_element::values != nullptr ? of_element::name.view() : "";
+  }();
+};
+
 inline time_stamp duration_of(double seconds) {
   const auto ns = std::isfinite(seconds)
                       ? static_cast<std::int64_t>(std::clamp(seconds, 0.0, 2e9) * 1e9 + 0.5)
@@ -133,26 +149,13 @@ inline double seconds_of(const time_stamp& t) { return t.sec + 1e-9 * t.nanosec;
 template <class First, class... Rest>
 struct joint_trajectory {
   static_assert(
-      detail::ArraySpace<First> && (detail::ArraySpace<Rest> && ...),
-      "cca::ros2::joint_trajectory: each of its spaces is an array with an element for each point, as "
-      "in `struct way : cca::array_of<arm_angles, 20> {};`");
+      cca::detail::holds_or_tells<detail::are_fields<detail::trajectory_words, First, Rest...>(),
+                                  detail::other_fields<detail::trajectory_words, First, Rest...>>::value);
+  static_assert(
+      cca::detail::holds_or_tells<detail::share_joints<detail::trajectory_words, First, Rest...>,
+                                  detail::other_joints<detail::trajectory_words, First, Rest...>>::value);
   template <class Space>
   using element = typename detail::element_of<Space>::type;
-  template <class Domain>
-  static constexpr int times = std::is_same_v<typename element<First>::domain, Domain> +
-                               (std::is_same_v<typename element<Rest>::domain, Domain> + ... + 0);
-  static_assert(times<joint_angles> <= 1 && times<joint_velocities> <= 1 && times<joint_accelerations> <= 1 &&
-                    times<joint_torques> <= 1 &&
-                    times<joint_angles> + times<joint_velocities> + times<joint_accelerations> +
-                            times<joint_torques> ==
-                        1 + sizeof...(Rest),
-                "cca::ros2::joint_trajectory: the elements of its spaces are of joint_angles (positions), "
-                "joint_velocities (velocities), joint_accelerations (accelerations) and joint_torques "
-                "(effort), each at most once");
-  static_assert(
-      (std::is_same_v<typename First::axes, typename Rest::axes> && ...),
-      "cca::ros2::joint_trajectory: its spaces must have the same axes and as many elements: the axes "
-      "are the names of the joints, the elements the points");
 
   static constexpr int joints = element<First>::size, points = First::size / joints;
   using ports = detail::port_list<

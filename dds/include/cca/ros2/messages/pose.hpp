@@ -21,6 +21,7 @@
 #include <cca/dds/nodes/incoming.hpp>
 #include <cca/ros2/messages/geometry.hpp>
 #include <cca/ros2/messages/header.hpp>
+#include <cca/ros2/messages/message_mistakes.hpp>
 #include <cca/ros2/messages/ports.hpp>
 #include <cca/space/pose.hpp>
 
@@ -59,10 +60,20 @@ inline constexpr std::array tf_message_fields{
                   &transform_message_type},
 };
 
-template <class Space>
+struct pose_words {
+  static constexpr std::string_view name = "pose_stamped", holds = "a space of cca::pose<Frame>";
+};
+struct transform_words : pose_words {
+  static constexpr std::string_view name = "transform_stamped";
+};
+struct tf_words : pose_words {
+  static constexpr std::string_view name = "tf";
+};
+
+template <class Space, class Words>
 struct of_pose {
-  static_assert(cca::detail::is_pose<typename Space::domain>,
-                "cca::ros2: pose_stamped, transform_stamped and tf are of a space of cca::pose<Frame>");
+  static_assert(cca::detail::holds_or_tells<cca::detail::is_pose<typename Space::domain>,
+                                            other_space<Words, Space>>::value);
   static constexpr int size = Space::size;
   static std::string frame() { return frame_name<typename Space::domain::frame>(); }
 };
@@ -70,7 +81,7 @@ struct of_pose {
 }  // namespace detail
 
 template <class Space>
-struct pose_stamped : detail::of_pose<Space> {
+struct pose_stamped : detail::of_pose<Space, detail::pose_words> {
   using ports = detail::port_list<detail::message_port<"pose", Space>>;
   using message = detail::pose_message;
   static constexpr detail::message_type type{
@@ -102,7 +113,7 @@ struct pose_stamped : detail::of_pose<Space> {
 };
 
 template <class Space, fixed_string Child>
-struct transform_stamped : detail::of_pose<Space> {
+struct transform_stamped : detail::of_pose<Space, detail::transform_words> {
   using ports = detail::port_list<detail::message_port<"transform", Space>>;
   using message = detail::transform_message;
   static constexpr const detail::message_type& type = detail::transform_message_type;
@@ -137,7 +148,7 @@ struct transform_stamped : detail::of_pose<Space> {
 };
 
 template <class Space, fixed_string Child>
-struct tf : detail::of_pose<Space> {
+struct tf : detail::of_pose<Space, detail::tf_words> {
   using ports = detail::port_list<detail::message_port<"transform", Space>>;
   using message = detail::tf_message;
   using one = transform_stamped<Space, Child>;

@@ -10,10 +10,12 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include <cca/ros2/messages/geometry.hpp>
 #include <cca/ros2/messages/header.hpp>
+#include <cca/ros2/messages/message_mistakes.hpp>
 #include <cca/ros2/messages/ports.hpp>
 #include <cca/space/twist_wrench.hpp>
 
@@ -86,14 +88,22 @@ constexpr bool is_wrench_here = false;
 template <class Frame>
 constexpr bool is_wrench_here<wrench<Frame, Frame>> = true;
 
+struct wrench_words {
+  static constexpr std::string_view name = "wrench_stamped";
+  static constexpr std::string_view holds =
+      "a space of cca::wrench<Frame, Frame>, a load about the origin of the frame along whose axes its "
+      "numbers are: `moved_to` and `express` bring one there";
+};
+struct stamped_twist_words {
+  static constexpr std::string_view name = "twist_stamped", holds = "a space of cca::twist<At, In>";
+};
+
 }  // namespace detail
 
 template <class Space>
 struct wrench_stamped : detail::stamped<Space, detail::wrench_message> {
-  static_assert(
-      detail::is_wrench_here<typename Space::domain>,
-      "cca::ros2::wrench_stamped: its space is of cca::wrench<Frame, Frame>: a load about the origin "
-      "of the frame along whose axes its numbers are; `moved_to` and `express` bring it there");
+  static_assert(cca::detail::holds_or_tells<detail::is_wrench_here<typename Space::domain>,
+                                            detail::other_space<detail::wrench_words, Space>>::value);
   using ports = detail::port_list<detail::message_port<"wrench", Space>>;
   static constexpr detail::message_type type{
       "geometry_msgs/msg/WrenchStamped", detail::wrench_message_fields, sizeof(detail::wrench_message),
@@ -103,8 +113,8 @@ struct wrench_stamped : detail::stamped<Space, detail::wrench_message> {
 
 template <class Space>
 struct twist_stamped : detail::stamped<Space, detail::twist_message> {
-  static_assert(cca::detail::is_twist<typename Space::domain>,
-                "cca::ros2::twist_stamped: its space is of cca::twist<At, In>");
+  static_assert(cca::detail::holds_or_tells<cca::detail::is_twist<typename Space::domain>,
+                                            detail::other_space<detail::stamped_twist_words, Space>>::value);
   using ports = detail::port_list<detail::message_port<"twist", Space>>;
   static constexpr detail::message_type type{
       "geometry_msgs/msg/TwistStamped", detail::twist_message_fields, sizeof(detail::twist_message),

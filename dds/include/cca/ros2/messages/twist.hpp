@@ -8,17 +8,27 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include <cca/ros2/messages/geometry.hpp>
+#include <cca/ros2/messages/message_mistakes.hpp>
 #include <cca/ros2/messages/ports.hpp>
 #include <cca/space/twist_wrench.hpp>
 
 namespace cca::ros2 {
 
+namespace detail {
+
+struct twist_words {
+  static constexpr std::string_view name = "twist", holds = "a space of cca::twist<At, In>";
+};
+
+}  // namespace detail
+
 template <class Space>
 struct twist {
-  static_assert(cca::detail::is_twist<typename Space::domain>,
-                "cca::ros2::twist: its space is of cca::twist<At, In>");
+  static_assert(cca::detail::holds_or_tells<cca::detail::is_twist<typename Space::domain>,
+                                            detail::other_space<detail::twist_words, Space>>::value);
   using ports = detail::port_list<detail::message_port<"twist", Space>>;
   using message = detail::twist_parts;
   static constexpr int size = 6;
