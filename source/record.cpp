@@ -8,3 +8,4 @@
 #include <cca/record/messages/viewer_message_functions.hpp>
 #include <cca/record/page_functions.hpp>
 #include <cca/record/replay/architecture_difference_functions.hpp>
+#include <cca/record/replay/parameter_difference_functions.hpp>

@@ -80,6 +80,23 @@ template <class Axis>
 struct two_modes : cca::modes<cca::mode<"rest", rest<Axis>>, cca::mode<"go", graph<Axis>>>,
                    cca::recordable {};
 
+// Of two modes, since the outputs of each mode are counted anew.
+template <class Wire>
+struct crossed : cca::graph<cca::rate<1000>,
+                            cca::node<"s", source<plane<cy>>>,
+                            cca::node<"r", relay<plane<cy>>>,
+                            cca::node<"f", first<plane<cy>>>,
+                            cca::wire<"s.y", "r.x">,
+                            Wire,
+                            cca::observe<"r.y">,
+                            cca::observe<"f.y">>,
+                 cca::recordable {};
+template <class Wire>
+struct crossed_modes : cca::modes<cca::mode<"rest", rest<cy>>, cca::mode<"go", crossed<Wire>>>,
+                       cca::recordable {};
+using from_source = cca::wire<"s.y", "f.x">;
+using from_relay = cca::wire<"r.y", "f.x">;
+
 // What is said when Recorded is replayed as Here, after the name of the file.
 template <class Here, class Recorded>
 std::string refusal(std::vector<std::string> scopes = {}) {
@@ -129,6 +146,13 @@ TEST_CASE("an output that was not recorded is known by another one of its space,
       refusal<graph<cz>, graph<cy>>({"f"}) ==
       "the output `s.y` has another space: here `number` of `cx`, `cz`; the recording has no topic with that "
       "output's 2 numbers, so it does not say what they are");
+}
+
+TEST_CASE("a wire that differs is shown with the output from which it comes") {
+  CHECK(refusal<crossed<from_source>, crossed<from_relay>>() ==
+        "here `wire to f.x from s.y, delayed 0`, there `wire to f.x from r.y, delayed 0`");
+  CHECK(refusal<crossed_modes<from_source>, crossed_modes<from_relay>>() ==
+        "here `wire to f.x from s.y, delayed 0`, there `wire to f.x from r.y, delayed 0`");
 }
 
 TEST_CASE("what differs first in a space is named") {

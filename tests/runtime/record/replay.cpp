@@ -19,6 +19,13 @@ namespace {
 struct graph : walking<> {};
 using controller = cca::controller<graph>;
 
+struct eye {
+  auto sense() -> cca::out<"angles", leg_angles> { return Eigen::Vector2d(0.1, -0.9); }
+};
+struct reader {
+  void process(cca::in<"x", leg_angles>) {}
+};
+
 // Until its fault: three steps take about 4.2 s.
 void record(const std::string& file, cca::recording::settings s = {.waits = true}) {
   controller c;
@@ -67,6 +74,50 @@ TEST_CASE("a recording that was cut off is replayed as far as it goes") {
   CHECK(result.difference == "");
   CHECK(result.beats > 1000);
   CHECK(result.ended_early.find("the recording is cut off") == 0);
+}
+
+TEST_CASE("a replay that compares nothing is no success") {
+  const temporary_file file("sensed");
+  const auto recorded_only = [&](const std::string& scope, int beats) {
+    controller c;
+    cca::recording::recorder recording(c, file.path, {.scopes = {scope}, .waits = true});
+    c.load();
+    c.start();
+    for (int k = 0; k < beats && c.state() == cca::state::started; ++k) c.step();
+  };
+  recorded_only("leg", 100);
+  const auto nothing = cca::recording::replay<graph>(file.path);
+  CHECK_FALSE(nothing);
+  CHECK(nothing.difference == "");
+  CHECK(nothing.ended_early == "");
+  CHECK(nothing.beats == 100);
+  std::ostringstream text;
+  text << nothing;
+  CHECK(text.str() ==
+        "nothing is compared in 100 beats: the recording lacks all that components compute: `filter.y`, "
+        "`swing.angles`, `counter.steps`, `limits.safe`");
+  recorded_only("leg", 10'000);
+  const auto fault = cca::recording::replay<graph>(file.path);  // it comes in the recorded beat
+  CHECK(fault);
+  CHECK(fault.samples == 0);
+  CHECK(fault.fault == "`counter`: too many steps");
+}
+
+TEST_CASE("of a graph that computes nothing, what was sensed is all there is") {
+  struct only_sensed : cca::graph<cca::rate<1000>, cca::node<"reader", reader>, cca::node<"eye", eye>,
+                                  cca::wire<"eye.angles", "reader.x">>,
+                       cca::recordable {};
+  const temporary_file file("only_sensed");
+  {
+    cca::controller<only_sensed> c;
+    cca::recording::recorder recording(c, file.path, {.waits = true});
+    c.load();
+    c.start();
+    c.run(cca::for_beats<50>{});
+  }
+  const auto result = cca::recording::replay<only_sensed>(file.path);
+  CHECK(result);
+  CHECK(result.beats == 50);
 }
 
 TEST_CASE("what can't be replayed is refused") {

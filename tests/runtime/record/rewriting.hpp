@@ -64,6 +64,8 @@ struct rewriting {
   // Changes a message, or leaves it out.
   std::function<bool(const std::string& topic, bytes& data)> change{};
   std::function<bool(const std::string& topic)> keeps{};  // channels
+  bool has_schemas = true;
+  std::function<void(mcap::text_map& entries)> change_metadata{};
 };
 
 inline void rewrite(const std::string& from, const std::string& to, const rewriting& how) {
@@ -89,19 +91,22 @@ inline void rewrite(const std::string& from, const std::string& to, const rewrit
   const auto define = [&](const cca::recording::mcap_reader& r, std::uint16_t id, mcap::byte_writer& into) {
     const auto& channel = r.channels().at(id);
     const auto& schema = r.schemas().at(channel.schema);
-    record(into, op::schema,
-           mcap::byte_writer().add(channel.schema).add(schema.name).add(schema.encoding).add(schema.text));
+    if (how.has_schemas)
+      record(into, op::schema,
+             mcap::byte_writer().add(channel.schema).add(schema.name).add(schema.encoding).add(schema.text));
     record(into, op::channel,
            mcap::byte_writer()
                .add(id_of(id))
-               .add(channel.schema)
+               .add(static_cast<std::uint16_t>(how.has_schemas ? channel.schema : 0))
                .add(channel.topic)
                .add(channel.encoding)
                .add(channel.metadata));
   };
   const auto put_metadata = [&](const cca::recording::mcap_reader& r) {
-    for (const auto& [name, entries] : r.metadata())
+    for (auto [name, entries] : r.metadata()) {
+      if (how.change_metadata) how.change_metadata(entries);
       record(all, op::metadata, mcap::byte_writer().add(name).add(entries));
+    }
   };
   const auto keeps = [&](const std::string& topic) { return !how.keeps || how.keeps(topic); };
 

@@ -2,6 +2,7 @@
 // true reason, and no number in a file makes a replay endless or large.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +10,8 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <cca/record/mcap/lz4.hpp>
@@ -177,6 +180,88 @@ TEST_CASE("a file that can't be replayed is refused for its true reason") {
   CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(r.file.path),
                        doctest::Contains(" can't be read: the file ends within a record, before byte "),
                        cca::refused);
+}
+
+TEST_CASE("a file that ends too soon was cut off, and one with wrong bytes is damaged") {
+  const recorded r(600);
+  rewrite(r.file.path, r.other.path, {.compression = "none"});
+  const auto size = std::filesystem::file_size(r.other.path);
+  const auto ended_early = [&] { return cca::recording::replay<graph>(r.other.path).ended_early; };
+  const auto set_byte = [&](std::uint64_t at, char value) {
+    std::fstream file(r.other.path, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(static_cast<std::streamoff>(at));
+    file.put(value);
+  };
+  const std::uint64_t after_data = 8 + 9 + 20, end_of_data = size - after_data - 9 - 4;
+  CHECK(ended_early() == "");
+  set_byte(26, 'T');  // of the name of the tool in the header
+  CHECK(ended_early() == "the recording is damaged: a wrong checksum of all data, before byte " +
+                             std::to_string(size - after_data));
+  // A length of which the last bytes fall short, in a file that has its end.
+  rewrite(r.file.path, r.other.path, {.compression = "none"});
+  set_byte(end_of_data + 8, 1);
+  CHECK(ended_early().starts_with("the recording is damaged: the file ends within a record, before byte "));
+  rewrite(r.file.path, r.other.path, {.compression = "none"});
+  std::filesystem::resize_file(r.other.path, size - 20);
+  CHECK(ended_early() == "");  // all data are there
+  std::filesystem::resize_file(r.other.path, size / 2);
+  CHECK(ended_early().starts_with("the recording is cut off: the file ends within a record, before byte "));
+}
+
+TEST_CASE("a file without a beginning is named for what it is") {
+  const temporary_file file("beginning");
+  const auto refusal_of = [&](std::string_view content) {
+    std::ofstream(file.path, std::ios::binary) << content;
+    try {
+      cca::recording::replay<graph>(file.path);
+    } catch (const cca::refused& e) { return std::string(e.what()).substr(file.path.size()); }
+    return std::string("not refused");
+  };
+  CHECK(refusal_of("") == " is empty");
+  CHECK(refusal_of("\x89MCA") == " is cut off: it has only 4 bytes");
+  CHECK(refusal_of("MCAP") == " is not an MCAP file");
+  CHECK(refusal_of("# nothing of the kind") == " is not an MCAP file");
+  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>("/tmp"), doctest::Contains("Is a directory"),
+                       std::system_error);
+}
+
+TEST_CASE("no byte of a file reaches a terminal as a control byte") {
+  using mcap::printable;
+  CHECK(printable("leg \xc2\xb5m \xe2\x82\xac \xf0\x9f\xa6\xbf") ==
+        "leg \xc2\xb5m \xe2\x82\xac \xf0\x9f\xa6\xbf");
+  CHECK(printable("\x1b[2J\n\x7f") == "\\x1b[2J\\x0a\\x7f");
+  CHECK(printable("\xc2\x9b \x9b \xe2\x82 \xc0\x9b \xff") == "\\xc2\\x9b \\x9b \\xe2\\x82 \\xc0\\x9b \\xff");
+  CHECK(printable("abcdef", 3) == "abc");
+
+  const recorded r(600);
+  const std::string clear = "\x1b[2J";
+  CHECK(r.refusal({.compression = clear}).find("a chunk compressed with `\\x1b[2J`, which") !=
+        std::string::npos);
+  const auto with_architecture = [&](const std::string& word, const std::string& now) {
+    return r.refusal({.change_metadata = [=](mcap::text_map& entries) {
+      if (const auto text = entries.find("text"); text != entries.end())
+        text->second.replace(text->second.find(word), word.size(), now);
+    }});
+  };
+  CHECK(with_architecture("node filter", "node \x1b[2J")
+            .ends_with("there `node \\x1b[2J, fires every 10 beats from 0`"));
+  CHECK(with_architecture("from output 0", "from \x1b[2Jput 0").ends_with("from \\x1b[2Jput 0, delayed 0`"));
+  {
+    cca::controller<graph> c;
+    cca::recording::recorder recording(c, r.file.path, {.waits = true});
+    c.load();
+    c.start();
+    c.run(cca::for_beats<10'000>{});
+    REQUIRE(c.state() == cca::state::faulted);
+  }
+  const std::string reason = r.refusal({.change = [&](const std::string& topic, bytes& data) {
+    const std::string_view too = "too ";
+    if (const auto at = std::search(data.begin(), data.end(), too.begin(), too.end());
+        topic == "/cca/fault" && at != data.end())
+      std::copy(clear.begin(), clear.end(), at);
+    return true;
+  }});
+  CHECK(reason.find("recorded the fault `\\x1b[2Jmany steps` of `counter`") != std::string::npos);
 }
 
 TEST_CASE("parameters that the component refuses are refused in a replay, too") {

@@ -8,7 +8,7 @@
 // It reads what mcap_writer writes, and what other tools make of that: chunks with zstd, lz4 or without
 // compression, or messages outside of chunks, which only the checksum of all data covers. Any bytes may come:
 // lengths are compared with what is there and with the most that is read, and checksums are compared. Errors:
-// std::system_error if it can't be opened; cca::refused if it does not begin like an MCAP file.
+// std::system_error if it can't be opened; cca::refused if it is empty or does not begin like an MCAP file.
 #pragma once
 
 #include <cstdint>
@@ -52,6 +52,8 @@ public:
 
   // Why reading ended before the end of the data; empty: it did not.
   const std::string& damage() const { return damaged; }
+  // It ended because the file does: it was cut off. Else its bytes are damaged.
+  bool is_cut_off() const { return is_cut; }
   bool has_ended() const { return is_over; }
 
   const std::map<std::uint16_t, mcap_channel>& channels() const { return all_channels; }
@@ -67,6 +69,8 @@ private:
   enum class place { unknown, chunks, records };
 
   bool stop(const std::string& why);
+  // At the end of the file. One that has its last bytes was not cut off: a length in it is wrong.
+  bool ends(const std::string& why);
   bool read(std::span<unsigned char> to);
   bool skip(std::uint64_t bytes);
   bool takes_from(place here);
@@ -101,7 +105,7 @@ private:
   std::uint64_t defined = 0;  // bytes
   detail::op code_of_record{};
   place messages_are = place::unknown;
-  bool is_over = false;
+  bool is_over = false, is_cut = false, has_end = false;
 };
 
 }  // namespace cca::recording

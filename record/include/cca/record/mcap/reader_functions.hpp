@@ -13,6 +13,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/record/mcap/lz4.hpp>
+#include <cca/record/mcap/printable.hpp>
 #include <cca/record/mcap/reader.hpp>
 #include <cca/record/mcap/zstd.hpp>
 
@@ -23,9 +24,18 @@ CCA_RECORD_INLINE mcap_reader::mcap_reader(const std::string& name) : file(std::
   std::fseek(file.get(), 0, SEEK_END);
   const long end = std::ftell(file.get());
   size = end < 0 ? 0 : static_cast<std::uint64_t>(end);
+  std::array<unsigned char, detail::magic.size()> start{}, last{};
+  if (size >= 2 * last.size()) {
+    std::fseek(file.get(), -static_cast<long>(last.size()), SEEK_END);
+    has_end = std::fread(last.data(), 1, last.size(), file.get()) == last.size() && last == detail::magic;
+  }
   std::fseek(file.get(), 0, SEEK_SET);
-  std::array<unsigned char, detail::magic.size()> start{};
-  if (!read(start) || start != detail::magic) throw refused(name + " is not an MCAP file");
+  const bool is_read = read(start);
+  if (std::ferror(file.get())) throw std::system_error(errno, std::generic_category(), name);
+  if (size == 0) throw refused(name + " is empty");
+  if (!is_read && std::equal(start.begin(), start.begin() + static_cast<long>(size), detail::magic.begin()))
+    throw refused(name + " is cut off: it has only " + std::to_string(size) + " bytes");
+  if (!is_read || start != detail::magic) throw refused(name + " is not an MCAP file");
 }
 
 CCA_RECORD_INLINE bool mcap_reader::next(mcap_message& m) {
@@ -45,6 +55,11 @@ CCA_RECORD_INLINE bool mcap_reader::next(mcap_message& m) {
 CCA_RECORD_INLINE bool mcap_reader::stop(const std::string& why) {
   damaged = why + ", before byte " + std::to_string(at);
   return false;
+}
+
+CCA_RECORD_INLINE bool mcap_reader::ends(const std::string& why) {
+  is_cut = !has_end;
+  return stop(why);
 }
 
 CCA_RECORD_INLINE bool mcap_reader::read(std::span<unsigned char> to) {
@@ -86,19 +101,19 @@ CCA_RECORD_INLINE std::uint64_t mcap_reader::most_of(detail::op code) {
 CCA_RECORD_INLINE bool mcap_reader::read_record() {
   const std::uint32_t before = crc.value();
   std::array<unsigned char, detail::head_of_record> head{};
-  if (!read(head)) return stop("the file ends without the end of its data");
+  if (!read(head)) return ends("the file ends without the end of its data");
   detail::byte_reader start(head);
   const auto code = code_of_record = static_cast<detail::op>(start.number<std::uint8_t>());
   const auto length = start.number<std::uint64_t>();
   if (code == detail::op{}) return stop("a record without a kind");
   if (code == detail::op::footer) return stop("a footer without the end of the data");
-  if (at > size || length > size - at) return stop("the file ends within a record");
+  if (at > size || length > size - at) return ends("the file ends within a record");
   const std::uint64_t most = most_of(code);
-  if (most == 0) return skip(length) || stop("the file ends within a record");
+  if (most == 0) return skip(length) || ends("the file ends within a record");
   if (length > most)
     return stop("a record of " + std::to_string(length) + " bytes, more than " + std::to_string(most));
   record.resize(static_cast<std::size_t>(length));
-  if (!read(record)) return stop("the file ends within a record");
+  if (!read(record)) return ends("the file ends within a record");
   switch (code) {
     case detail::op::chunk:
       return takes_from(place::chunks) && read_chunk();
@@ -126,7 +141,7 @@ CCA_RECORD_INLINE bool mcap_reader::read_chunk() {
   const detail::byte_view packed = r.block(r.number<std::uint64_t>());
   if (r.is_bad() || length > most_in_chunk) return stop("a chunk that can't be read");
   if (method != "zstd" && method != "lz4" && !method.empty())
-    return stop("a chunk compressed with `" + method.substr(0, 40) +
+    return stop("a chunk compressed with `" + detail::printable(method, 40) +
                 "`, which is not read here (rewrite the file with zstd: mcap compress --compression zstd)");
   // No byte of lz4 becomes more than 255, and no block of zstd, which has four bytes, more than 128 KiB.
   if (!method.empty() && length / (method == "lz4" ? 255 : 32'768) > packed.size())

@@ -2,14 +2,18 @@
 // they are compiled once for the program (cca/base/separate/compiled.hpp).
 #pragma once
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
+#include <cca/record/mcap/printable.hpp>
 #include <cca/record/replay/architecture_difference.hpp>
 #include <cca/record/replay/described_space.hpp>
 #include <cca/runtime/transports/manifest.hpp>
@@ -37,11 +41,37 @@ struct output_line {
   }
 };
 
+// With the name of the output in each line "wire to limits.command from output 1, delayed 0": the number
+// counts the lines of outputs, of a set of modes those of the same mode.
+inline std::string with_writers(std::string_view text) {
+  constexpr std::string_view wire = "wire to ", from = " from output ";
+  std::string all;
+  std::vector<std::string_view> outputs;
+  while (!text.empty()) {
+    const auto [line, rest] = split_at(text, text.find('\n'), 1);
+    text = rest;
+    if (line.starts_with("mode ")) outputs.clear();
+    if (const auto output = output_line::of(line)) outputs.push_back(output->port);
+    const auto at = line.starts_with(wire) ? line.rfind(from) : line.npos;
+    std::size_t number = 0;
+    const char *const first = line.data() + std::min(at, line.size() - from.size()) + from.size(),
+                      *const last = line.data() + line.size();
+    if (const auto [end, error] = at == line.npos ? std::from_chars_result{first, std::errc::invalid_argument}
+                                                  : std::from_chars(first, last, number);
+        error == std::errc() && number < outputs.size())
+      all.append(line.substr(0, at)).append(" from ").append(outputs[number]).append(end, last);
+    else all += line;
+    all += '\n';
+  }
+  return all;
+}
+
 CCA_RECORD_INLINE std::string architecture_difference(std::string_view here,
                                                       std::string_view there,
                                                       const spaces_by_hash& spaces,
                                                       const mcap_reader& file) {
-  std::string lines = cca::detail::first_difference(here, there);
+  const std::string lines =
+      printable(cca::detail::first_difference(with_writers(here), with_writers(there)), 2000);
   std::string_view in_mode;
   while (!here.empty() && !there.empty()) {
     const auto [a, rest_here] = split_at(here, here.find('\n'), 1);
@@ -66,7 +96,7 @@ CCA_RECORD_INLINE std::string architecture_difference(std::string_view here,
         return output + difference_of(known, described_space(channel.metadata, schema->second.text));
     }
     return output + "another space: here " + known.text() +
-           "; the recording has no topic with that output's " + std::string(recorded->numbers.substr(0, 20)) +
+           "; the recording has no topic with that output's " + printable(recorded->numbers, 20) +
            " numbers, so it does not say what they are";
   }
   return lines;

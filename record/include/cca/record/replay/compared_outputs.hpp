@@ -2,8 +2,10 @@
 // beside what is computed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -13,6 +15,7 @@
 #include <cca/graph/items/modes.hpp>
 #include <cca/graph/deployment/part.hpp>
 #include <cca/graph/modes/plan_of_modes.hpp>
+#include <cca/record/mcap/printable.hpp>
 #include <cca/space/origin.hpp>
 
 namespace cca::recording::detail {
@@ -59,6 +62,47 @@ bool are_modes_asked_beside(bool is_playing) {
   return false;
 }
 
+// The same of a part that may be stopped.
+template <class Loop, class F>
+bool is_part_asked_beside(const std::string& part, F is_played) {
+  using cca::detail::array_size;
+  const auto& plan = cca::detail::plan_of<Loop>;
+  for (int r = 0; r < cca::detail::counts_of<Loop>.request_count; ++r)
+    if (const auto& one = plan.requests[array_size(r)];
+        (plan.calls[array_size(one.call)].phase != cca::detail::phase_of_beat::process ||
+         is_played(plan.calls[array_size(one.call)].node)) &&
+        cca::detail::path_of_part<Loop>(one.part) == part)
+      return true;
+  return false;
+}
+
+// What a replay has compared of all that it computed.
+class comparison {
+public:
+  void add() { has_some = true; }
+  void add_output(int output, bool is_recorded) {
+    if (is_recorded) has_some = true;
+    else missing.insert(output);
+  }
+
+  // Why nothing was compared; empty: something was, or nothing is computed that could be.
+  template <class Graph>
+  std::string complaint() const {
+    constexpr std::size_t most = 4;
+    if (has_some || missing.empty()) return {};
+    std::string names;
+    std::size_t n = 0;
+    for (const int o : missing)
+      if (n++ < most) names.append(n > 1 ? ", `" : "`").append(cca::detail::path_of_output<Graph>(o) + "`");
+    if (n > most) names += " and " + std::to_string(n - most) + " more";
+    return "the recording lacks all that components compute: " + names;
+  }
+
+private:
+  bool has_some = false;
+  std::set<int> missing;
+};
+
 inline std::string sample_text(std::int64_t origin, const std::int64_t* words_of, std::size_t size) {
   if (origin == never) return "nothing";
   std::ostringstream text;
@@ -71,6 +115,10 @@ inline std::string sample_text(std::int64_t origin, const std::int64_t* words_of
   }
   text << "] of " << origin << " ns";
   return text.str();
+}
+
+inline std::string fault_text(const std::string& why, const std::string& of) {
+  return why.empty() ? "no fault" : "the fault `" + printable(why) + "` of `" + of + "`";
 }
 
 }  // namespace cca::recording::detail

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cca/record/mcap/bytes.hpp>
+#include <cca/record/mcap/printable.hpp>
 #include <cca/record/messages/sample_message.hpp>
 
 namespace cca::recording::detail {
@@ -58,7 +59,7 @@ struct described_space {
     return all + (numbers.size() > 24 ? ", ..." : "");
   }
   static std::string quoted(const std::string& word) {
-    return word.empty() ? "none" : "`" + word.substr(0, 60) + "`";
+    return word.empty() ? "none" : "`" + printable(word, 60) + "`";
   }
 };
 

@@ -60,6 +60,13 @@ struct playing_tap : cca::detail::beat_tap<replaying<Graph>> {
   std::array<played_samples, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)>
       played{};
   bool is_fast = true;  // the run that was recorded
+
+  // Only frames are compared.
+  void parameters_changed(const cca::detail::controller_state<replaying<Graph>>&,
+                          std::int64_t) noexcept override {}
+  void moved(state, std::int64_t) noexcept override {}
+  void failed(int, const char*, std::int64_t) noexcept override {}
+  void controller_is_gone() noexcept override {}
 };
 
 template <class Graph>

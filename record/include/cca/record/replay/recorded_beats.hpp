@@ -16,6 +16,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/graph/deployment/part.hpp>
+#include <cca/record/mcap/printable.hpp>
 #include <cca/record/mcap/reader.hpp>
 #include <cca/record/file/recording_file.hpp>
 #include <cca/record/replay/architecture_difference.hpp>
@@ -56,10 +57,17 @@ public:
     std::int64_t messages = 0;
     for (mcap_message m; whole.next(m);) ++messages;
     damaged = whole.damage();
+    cut_off = whole.is_cut_off();
     if (messages == 0 && !damaged.empty()) throw refused(called + " can't be read: " + damaged);
     check_architecture(whole);
     find_environments(whole);
-    for (const auto& [id, channel] : whole.channels()) by_channel[id] = use_of(channel);
+    for (const auto& [id, channel] : whole.channels()) {
+      by_channel[id] = use_of(channel);
+      const auto schema = whole.schemas().find(channel.schema);
+      if (by_channel[id].what == use_kind::parameters && schema != whole.schemas().end() &&
+          schema->second.encoding == "ros2msg")
+        parameter_schemas[by_channel[id].number] = schema->second.text;
+    }
     if (!has_states)
       throw refused(
           called + ": the topic " + std::string(state_topic) +
@@ -75,8 +83,14 @@ public:
   }
   // Whether the parameters of a component were recorded.
   bool has_parameters(int node) const { return is_set[cca::detail::array_size(node)]; }
+  // As the file describes the parameters of a component; null: it does not.
+  const std::string* parameter_schema_of(int node) const {
+    const auto found = parameter_schemas.find(node);
+    return found == parameter_schemas.end() ? nullptr : &found->second;
+  }
   // Why the file can't be read to its end; empty: it can.
   const std::string& damage() const { return damaged; }
+  bool is_cut_off() const { return cut_off; }
 
   bool next(recorded_item& item) {
     for (mcap_message m; file.next(m);) {
@@ -200,7 +214,7 @@ private:
     if (topic == dropped_topic) use.what = use_kind::dropped;
     if (use.what != use_kind::none && channel.encoding != "cdr")
       throw refused(called + ": the messages of " + topic + " are encoded as `" +
-                    channel.encoding.substr(0, 40) + "`, not as `cdr`: another tool has converted them");
+                    printable(channel.encoding, 40) + "`, not as `cdr`: another tool has converted them");
     return use;
   }
 
@@ -251,9 +265,10 @@ private:
       return from.is_at_end();
     }
     if (e.kind == event_kind::skipped) from.number<std::int64_t>();
-    if (e.kind == event_kind::fault) e.component = from.text();
-    e.text = from.text();
-    if (e.kind == event_kind::late) e.component = from.text();
+    if (e.kind == event_kind::fault) e.component = printable(from.text());
+    // A reason is compared with that of a component, so it stays as it is; the others are names.
+    e.text = e.kind == event_kind::fault ? std::string(from.text()) : printable(from.text());
+    if (e.kind == event_kind::late) e.component = printable(from.text());
     if (e.kind == event_kind::part) e.stopped = from.number<std::uint8_t>() != 0;
     if (e.kind == event_kind::mode || e.kind == event_kind::part)
       e.requested = from.number<std::uint8_t>() != 0;
@@ -267,10 +282,11 @@ private:
   mcap_reader file;
   std::string called, damaged;
   std::map<std::uint16_t, channel_use> by_channel;
+  std::map<int, std::string> parameter_schemas;
   std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)> is_recorded{};
   std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.node_count + 1)> is_set{};
   std::array<bool, cca::detail::array_size(environments)> is_here{};
-  bool has_states = false;
+  bool has_states = false, cut_off = false;
 };
 
 }  // namespace cca::recording::detail

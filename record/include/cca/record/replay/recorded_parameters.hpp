@@ -8,10 +8,22 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/record/mcap/printable.hpp>
 #include <cca/record/messages/parameter_message.hpp>
+#include <cca/record/replay/parameter_difference.hpp>
 #include <cca/runtime/controller.hpp>
 
 namespace cca::recording::detail {
+
+// `schema`: as the file describes them. `called`: the file.
+template <class Graph, class C>
+void check_names_of_parameters(int node, const std::string& schema, const std::string& called) {
+  std::string here;
+  if constexpr (HasParameters<C>) here = parameter_schema(cca::detail::schema_of<typename C::parameters>);
+  if (const std::string differs = parameter_difference(here, schema); !differs.empty())
+    throw refused(called + ": the recorded parameters of `" + cca::detail::path_of_node<Graph>(node) +
+                  "` are not those of this component: " + differs);
+}
 
 // `called`: the file.
 template <class Graph, class C>
@@ -24,11 +36,11 @@ void take_parameters(C& component,
   auto values = component.p;
   cdr_reader from(message);
   from.number<std::int64_t>();
-  if (!decode(cca::detail::schema_of<typename C::parameters>, &values, from))
+  if (!decode(cca::detail::schema_of<typename C::parameters>, &values, from) || !from.is_at_end())
     throw refused(called + ": the recorded parameters of `" + path + "` are not those of this component");
   if (are_checked)
     for (const auto& wrong : cca::detail::complaints_about(values, path, cca::detail::step_of<Graph>(node)))
-      throw refused(called + ": recorded parameters: " + wrong.path + ": " + wrong.what);
+      throw refused(called + ": recorded parameters: " + wrong.path + ": " + printable(wrong.what));
   component.p = values;
 }
 

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <cstring>
 #include <deque>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <cca/base/refused.hpp>
 #include <cca/record/replay/compared_outputs.hpp>
+#include <cca/record/mcap/printable.hpp>
 #include <cca/record/replay/recorded_beats.hpp>
 #include <cca/record/replay/recorded_parameters.hpp>
 #include <cca/record/replay/life_cycle_step.hpp>
@@ -26,6 +26,7 @@ template <class Graph>
 class replay_run final : playing_tap<Graph> {
   using graph = replaying<Graph>;
   static constexpr int output_count = cca::detail::counts_of<Graph>.output_count;
+  static constexpr const auto& plan = cca::detail::plan_of<Graph>;
   static constexpr const auto& layout = cca::detail::frame_layout_of<Graph>;
 
 public:
@@ -37,33 +38,43 @@ public:
         recorded(words(layout.words)) {
     forget_beat();
     c.record_into(this);
+    each_node([&]<class C>(int node, C&) {
+      if (const auto* const schema = items.parameter_schema_of(node))
+        check_names_of_parameters<Graph, C>(node, *schema, called);
+    });
   }
   ~replay_run() override { c.record_into(nullptr); }
 
   controller<graph>& robot() { return c; }
 
   replay_result go() {
+    play();
+    if (result.beats > 0) result.not_compared = compared.template complaint<Graph>();
+    return result;
+  }
+
+private:
+  void play() {
     for (recorded_item item; items.next(item);) {
       go_on_to(item.beat);
-      if (is_finished()) return result;
+      if (is_finished()) return;
       if (item.sample) take(*item.sample, item.beat);
       else if (item.event) take(*item.event);
       else if (item.dropped > 0) this->miss(item.dropped_by, item.dropped);
       else if (item.lost > 0) {
         result.ended_early = "the recording lost " + std::to_string(item.lost) + " beats, from beat " +
                              std::to_string(item.beat) + " on";
-        return result;
+        return;
       }
     }
     if (has_samples && items.damage().empty()) beat();  // of the last beat a part may be lost
     if (!is_finished()) compare_modes();
     if (result.difference.empty() && !items.damage().empty())
-      result.ended_early = "the recording is cut off: " + items.damage();
+      result.ended_early =
+          (items.is_cut_off() ? "the recording is cut off: " : "the recording is damaged: ") + items.damage();
     if (!is_finished() && result.beats == 0) result.ended_early = "the recording has no beat";
-    return result;
   }
 
-private:
   template <class F>
   void each_node(F f) {
     int node = 0;
@@ -125,7 +136,8 @@ private:
   void take(const recorded_event& e) {
     if (e.kind == event_kind::fault) {
       if (const int node = cca::detail::node_at<Graph>(e.component); node >= 0 && is_played(node)) {
-        result.fault = "`" + e.component + "`: " + e.text;  // it ended the run, and no beat of the others
+        result.fault =
+            "`" + e.component + "`: " + printable(e.text);  // it ended the run, and no beat of the others
         return;
       }
       reason = e.text;
@@ -139,11 +151,15 @@ private:
       });
     } else if (e.kind == event_kind::mode) {
       mode_recorded = e.text;
-      if constexpr (Modes<Graph>)
+      if constexpr (Modes<Graph>) {
         if (!e.requested || (c.mode() != e.text && are_modes_asked_beside<Graph>(is_playing)))
           c.switch_to(e.text);
+        else compared.add();
+      }
     } else if (e.kind == event_kind::part) {
-      if (!e.requested || asks_a_resource_node(e.text)) set_part(e.text, e.stopped);
+      // The replayed components ask by themselves, but resource nodes are not there.
+      if (!e.requested || is_part_asked_beside<graph>(e.text, [this](int n) { return is_played(n); }))
+        set_part(e.text, e.stopped);
     } else if (e.kind == event_kind::freely) {
       if (this->is_fast = !e.freely; e.freely) play_from_now();
       else if (is_playing) check_that_all_ran_here();
@@ -180,17 +196,6 @@ private:
   // Of a free-running environment that is played.
   bool is_played(int node) const { return is_playing && cca::detail::is_free_node<Graph>(node); }
 
-  // The replayed components ask by themselves, but resource nodes are not there.
-  bool asks_a_resource_node(const std::string& part) const {
-    const auto& plan = cca::detail::plan_of<graph>;
-    for (int r = 0; r < cca::detail::counts_of<graph>.request_count; ++r)
-      if (const auto& one = plan.requests[at(r)];
-          (plan.calls[at(one.call)].phase != cca::detail::phase_of_beat::process ||
-           is_played(plan.calls[at(one.call)].node)) &&
-          cca::detail::path_of_part<graph>(one.part) == part)
-        return true;
-    return false;
-  }
   void set_part(const std::string& part, bool stops) {
     if (c.state() != state::started && c.state() != state::faulted) return;
     if (stops) c.stop(part);
@@ -209,11 +214,11 @@ private:
             missing.append(missing.empty() ? "" : ", ")
                 .append("`" + cca::detail::path_of_node<Graph>(node) + "`");
       });
-      throw refused(called + ": in replay the state `" + to + "` is refused: " + why.what() +
+      throw refused(called + ": in replay the state `" + to + "` is refused: " + printable(why.what()) +
                     (missing.empty() ? "" : " (no parameters are recorded of " + missing + ")"));
     }
   }
-  // From here on a loop may compute something else.
+  // A loop may compute something else.
   void differs_by_clock(const std::string& why) {
     if (clock_says.empty()) clock_says = "from beat " + std::to_string(k) + " on, where " + why;
   }
@@ -224,7 +229,7 @@ private:
     const int mode = active_mode();
     c.step();
     result.fault =
-        c.state() == state::faulted ? "`" + c.fault_path() + "`: " + std::string(c.fault().reason()) : "";
+        c.state() == state::faulted ? "`" + c.fault_path() + "`: " + printable(c.fault().reason()) : "";
     compare(mode);
     k = c.beat_index();
     forget_beat();
@@ -235,7 +240,7 @@ private:
     each_node([&]<class C>(int node, C& component) {
       if constexpr (requires { component.forget(); }) {
         component.forget();
-        for (const auto& call : cca::detail::plan_of<Graph>.calls) {
+        for (const auto& call : plan.calls) {
           if (call.node != node || !call.function) continue;
           for (int p = 0; p < call.function->output_count; ++p) {
             const int o = call.first_output + p;
@@ -256,10 +261,12 @@ private:
     const std::int64_t* const replayed_frame = this->ring.oldest();
     ++result.beats;
     for (const int o : orders[at(mode)]) {
-      if (!items.has(o)) continue;
-      const auto& call =
-          cca::detail::plan_of<Graph>.calls[at(cca::detail::plan_of<Graph>.outputs[at(o)].call)];
-      if (is_played(call.node) || !items.ran_here(o)) continue;
+      const auto& call = plan.calls[at(plan.outputs[at(o)].call)];
+      if (is_played(call.node)) continue;
+      const bool is_computed = call.phase == cca::detail::phase_of_beat::process;
+      const bool is_known = items.has(o) && items.ran_here(o);
+      if (is_computed) compared.add_output(o, is_known);
+      if (!is_known) continue;
       const auto origin = words(layout.origin[at(o)]);
       const std::int64_t was = recorded[origin], is = replayed_frame[origin];
       const auto size = static_cast<std::size_t>(layout.size[at(o)]);
@@ -267,7 +274,7 @@ private:
       const auto* const now = replayed_frame + layout.at[at(o)];
       if (was == never && is == never) continue;
       if (was == is && std::memcmp(then, now, sizeof(double) * size) == 0) {
-        result.samples += call.phase == cca::detail::phase_of_beat::process;  // the others were fed
+        result.samples += is_computed;  // the others were fed
         continue;
       }
       differ(o, sample_text(was, then, size), sample_text(is, now, size));
@@ -277,13 +284,11 @@ private:
     this->ring.take();
     const bool has_faulted = c.state() == state::faulted;
     const std::string path = c.fault_path(), now = has_faulted ? std::string(c.fault().reason()) : "";
-    const auto named = [](const std::string& why, const std::string& of) {
-      return why.empty() ? std::string("no fault") : "the fault `" + why + "` of `" + of + "`";
-    };
     const bool by_component = has_faulted || !failed_component.empty();
     if (by_component && (now != reason || (has_faulted && path != failed_component)))
-      differ_in_fault(reason.empty() ? path : failed_component, named(reason, failed_component),
-                      named(now, path));
+      differ_in_fault(reason.empty() ? path : failed_component, fault_text(reason, failed_component),
+                      fault_text(now, path));
+    else if (by_component) compared.add();
   }
 
   // Before a beat: the mode that was recorded is active.
@@ -302,10 +307,9 @@ private:
     else return 0;
   }
   void differ(int o, const std::string& was, const std::string& is) {
-    const auto& output = cca::detail::plan_of<Graph>.outputs[at(o)];
-    const auto& call = cca::detail::plan_of<Graph>.calls[at(output.call)];
+    const auto& call = plan.calls[at(plan.outputs[at(o)].call)];
     result.component = cca::detail::path_of_node<Graph>(call.node);
-    result.port = cca::detail::port_of(call, output).name;
+    result.port = cca::detail::port_of(call, plan.outputs[at(o)]).name;
     state_difference("`" + result.component + "." + result.port + "`, beat " + std::to_string(k) +
                      ": recorded " + was + ", replayed " + is);
   }
@@ -319,11 +323,6 @@ private:
     state_difference("`" + path + "`, beat " + std::to_string(k) + ": recorded " + was + ", replayed " + is);
   }
 
-  void parameters_changed(const cca::detail::controller_state<graph>&, std::int64_t) noexcept override {}
-  void moved(state, std::int64_t) noexcept override {}
-  void failed(int, const char*, std::int64_t) noexcept override {}
-  void controller_is_gone() noexcept override {}
-
   recorded_items<Graph> items;
   std::string called;
   std::int64_t silence, silent_beats = 0;
@@ -334,6 +333,7 @@ private:
   const std::vector<std::vector<int>> orders = orders_of_beats<Graph>();
   std::deque<std::string> reasons;
   bool has_samples = false, is_playing = false;
+  comparison compared;
   replay_result result;
 };
 
