@@ -1,4 +1,5 @@
-// EXPECT: robot\.drives: the body of arm has 2 axes that are measured \(shoulder, elbow\), and 1 drive or board follows the bus, none for `elbow`
+// EXPECT: robot\.drives: the axis `elbow` of arm has no drive; after the bus, list one cca::hardware::joint for each measured axis
+// LINES: 15
 // The elbow has no drive.
 #include "arm_on_drives.hpp"
 

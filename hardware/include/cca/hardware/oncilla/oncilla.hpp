@@ -20,6 +20,8 @@
 namespace cca::hardware {
 
 template <class Bus, class... Drives>
-struct oncilla : robot<robots::oncilla::as_built, Bus, Drives...> {};
+struct oncilla : detail::unchecked_robot<robots::oncilla::as_built, Bus, Drives...> {
+  static_assert(detail::robot_check<robots::oncilla::as_built, Drives...>::shown);
+};
 
 }  // namespace cca::hardware

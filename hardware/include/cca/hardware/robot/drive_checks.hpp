@@ -1,4 +1,5 @@
-// Whether the drives and the board of a robot fit its description, and the sentences that name what does not.
+// Whether the drives and the board of a robot fit its description, and the sentences that name what does not;
+// joints_of.hpp has those of the list of joints.
 // Cost: constants; a sentence is compiled only where something does not fit.
 // Errors: robot.description, robot.drives.
 #pragma once
@@ -10,17 +11,15 @@
 #include <type_traits>
 
 #include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/type_name.hpp>
 #include <cca/hardware/robot/boards/board_facts.hpp>
 #include <cca/hardware/robot/boards/no_board.hpp>
 #include <cca/hardware/robot/joints_of.hpp>
 #include <cca/hardware/robot/robot_buses.hpp>
 #include <cca/robots/ports.hpp>
-#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca::hardware::detail {
 
-using cca::detail::axes_in_words;
-using cca::detail::axis_in_words;
 using cca::detail::type_name;
 
 // Whether a drive, with the synchronizer's help, follows commands of a kind.
@@ -115,95 +114,6 @@ private:
   }
 };
 
-// The axes that the servos of the board move, which is the last of all, if there is one.
-template <class Last>
-struct servos_of_last {
-  using type = axes<>;
-};
-template <class Last>
-  requires requires { typename Last::reading; }
-struct servos_of_last<Last> {
-  using type = servo_axes_of<Last>;
-};
-template <class... Drives>
-using servos_of =
-    typename servos_of_last<std::tuple_element_t<sizeof...(Drives), std::tuple<no_board, Drives...>>>::type;
-template <class R, class... Drives>
-constexpr auto drive_count =
-    static_cast<std::size_t>(robots::measured_axes_of<R>::count - servos_of<Drives...>::count);
-
-template <class R, class... Drives>
-struct robot_drives {
-  static constexpr std::size_t count = drive_count<R, Drives...>;
-  using joints = first_joints<count, Drives...>;
-  using board = std::tuple_element_t<count, std::tuple<Drives..., no_board>>;
-  using sound = typename robot_buses<typename R::rate, board, joints>::sound;
-};
-
-// The first axis that nothing moves; its number is that of `All`, or -1.
-template <class Joints, class Servos, class... All>
-constexpr int unmoved_axis(axes<All...>) {
-  int first = -1, i = 0;
-  ((first = first < 0 && !Joints::template contains<All> && !Servos::template contains<All> ? i : first, ++i),
-   ...);
-  return first;
-}
-// The axes of what is a joint.
-template <class... Drives>
-struct axes_of_drives {
-  template <class Drive, class Axis>
-  static constexpr bool moves() {
-    if constexpr (requires { typename Drive::axis; }) return std::is_same_v<typename Drive::axis, Axis>;
-    else return false;
-  }
-  template <class Axis>
-  static constexpr bool contains = (moves<Drives, Axis>() || ...);
-};
-
-template <class R, class... Drives>
-struct wrong_drive_number {
-  static constexpr void tell(auto& m) {
-    using all = robots::measured_axes_of<R>;
-    using servos = servos_of<Drives...>;
-    constexpr int unmoved = unmoved_axis<axes_of_drives<Drives...>, servos>(all());
-    m << "robot.drives: the body of " << type_name<R>() << " has " << all::count
-      << (all::count == 1 ? " axis that is measured (" : " axes that are measured (") << axes_in_words<all>()
-      << ")";
-    if (servos::count > 0) m << ", " << servos::count << " of them moved by servos of its board";
-    m << ", and " << static_cast<std::int64_t>(sizeof...(Drives))
-      << (sizeof...(Drives) == 1 ? " drive or board follows" : " drives and boards follow") << " the bus";
-    if (unmoved >= 0) m << ", none for `" << axis_in_words(all(), unmoved) << "`";
-    m << ": after the bus, list one cca::hardware::joint for each, and then the board, if there is one";
-  }
-};
-
-template <class R, class Joints, class Servos>
-struct axis_not_moved {
-  static constexpr void tell(auto& m) {
-    using all = robots::measured_axes_of<R>;
-    m << "robot.drives: the axis `" << axis_in_words(all(), unmoved_axis<Joints, Servos>(all())) << "` of "
-      << type_name<R>()
-      << " has no drive, and no servo of its board moves it; after the bus, list one cca::hardware::joint "
-         "for each of the other axes, in any order";
-  }
-};
-
-template <class R, class Joints>
-struct drives_in_other_order;
-template <class R, class... J>
-struct drives_in_other_order<R, joint_list<J...>> {
-  static constexpr void tell(auto& m) {
-    using all = robots::measured_axes_of<R>;
-    int place = -1, i = 0;
-    ((place = place < 0 && type_name<typename J::axis>() != axis_in_words(all(), i) ? i : place, ++i), ...);
-    if (place < 0) place = 0;  // types of one name
-    m << "robot.drives: the joints of " << type_name<R>()
-      << " are not in the order of the axes of its body: drive " << place + 1 << " after the bus is that of `"
-      << axis_in_words(axes<typename J::axis...>(), place) << "`, and that axis of the body is `"
-      << axis_in_words(all(), place) << "`; list them in the order of cca::axes_of<body>";
-  }
-};
-
 template <class R, class Board>
 struct sensors_not_read {
   static constexpr void tell(auto& m) {
@@ -230,34 +140,45 @@ private:
   }
 };
 
-// Only the first mistake is reported.
+// The first mistake as the type of its sentence; void: none.
 template <class R, class... Drives>
-constexpr auto check_drives() {
-  using cca::detail::holds_or_tells;
-  static_assert(robots::check_without_masses<R>());
-  constexpr std::size_t count = drive_count<R, Drives...>;
-  constexpr bool enough = sizeof...(Drives) == count || sizeof...(Drives) == count + 1;
-  static_assert(holds_or_tells<enough, wrong_drive_number<R, Drives...>>::value);
-  if constexpr (enough) {
-    using joints = typename robot_drives<R, Drives...>::joints;
-    using board = typename robot_drives<R, Drives...>::board;
-    using servos = servos_of<Drives...>;
-    using all = robots::measured_axes_of<R>;
-    constexpr bool moved = servos::count == 0 || unmoved_axis<typename joints::axes, servos>(all()) < 0;
-    constexpr bool in_order = moved && (servos::count != 0 || std::is_same_v<typename joints::axes, all>);
-    constexpr bool can_be_held = held_drives<R, joints>::all;
-    constexpr bool senses = has_sensors<board>(robots::sensors_of<R>());
-    constexpr bool follows = followers<R, joints, servos>::all;
-    static_assert(holds_or_tells<moved, axis_not_moved<R, typename joints::axes, servos>>::value);
-    static_assert(holds_or_tells<(in_order || !moved), drives_in_other_order<R, joints>>::value);
-    static_assert(holds_or_tells<(can_be_held || !in_order), held_drives<R, joints>>::value);
-    static_assert(holds_or_tells<(senses || !can_be_held || !in_order), sensors_not_read<R, board>>::value);
-    static_assert(holds_or_tells<(follows || !senses || !can_be_held || !in_order),
-                                 followers<R, joints, servos>>::value);
-    return std::bool_constant<in_order && can_be_held && senses && follows>{};
-  } else {
-    return std::false_type{};
+constexpr auto mistake_of_drives() {
+  using of_list = decltype(mistake_of_list<R, Drives...>());
+  if constexpr (!std::is_void_v<typename of_list::type>) return of_list();
+  else {
+    using joints = joints_before_board<Drives...>;
+    using board = board_of<Drives...>;
+    using held = held_drives<R, joints>;
+    using follow = followers<R, joints, servo_axes_of<board>>;
+    if constexpr (!held::all) return std::type_identity<held>();
+    else if constexpr (!has_sensors<board>(robots::sensors_of<R>()))
+      return std::type_identity<sensors_not_read<R, board>>();
+    else if constexpr (!follow::all) return std::type_identity<follow>();
+    else return std::type_identity<void>();
   }
 }
+
+template <class R, class... Drives>
+struct drives_of_robot {
+  static_assert(robots::check_without_masses<R>());
+  using joints = joints_before_board<Drives...>;
+  using board = board_of<Drives...>;
+  using mistake = typename decltype(mistake_of_drives<R, Drives...>())::type;
+};
+// The joints as one list.
+template <class R, class... J, class... Board>
+struct drives_of_robot<R, joint_list<J...>, Board...> : drives_of_robot<R, J..., Board...> {};
+
+// What a robot asserts itself: on clang that is fewer lines of output than inside of holds_or_tells.
+template <class Mistake, bool IsWhole = cca::detail::prints_whole_texts>
+struct no_mistake : cca::detail::as_bool<cca::detail::printed<cca::detail::told<Mistake>>> {};
+template <class Mistake>
+struct no_mistake<Mistake, true> {
+  static constexpr bool shown = cca::detail::holds_or_tells<std::is_void_v<Mistake>, Mistake>::value;
+};
+template <>
+struct no_mistake<void, false> {
+  static constexpr bool shown = true;
+};
 
 }  // namespace cca::hardware::detail

@@ -58,35 +58,36 @@ using robot_on_drives = robots::graph_of_robot<R,
                                                safety_readings<"synchronizer">>;
 
 // After a mistake there is no graph, so that nothing else is reported.
-template <bool Fits, class R, class Bus, class... Drives>
-struct robot_that_fits {
+template <class R, class Bus, class Drives, class Mistake = typename Drives::mistake>
+struct robot_parts {
   using type = graph<>;
   struct parts {};
 };
-template <class R, class Bus, class... Drives>
-struct robot_that_fits<true, R, Bus, Drives...> {
+template <class R, class Bus, class Drives>
+struct robot_parts<R, Bus, Drives, void> {
+  using buses_are_sound =
+      typename robot_buses<typename R::rate, typename Drives::board, typename Drives::joints>::sound;
   // For virtual_hardware.hpp.
   struct parts {
     using description = R;
-    using joints = typename robot_drives<R, Drives...>::joints;
-    using board = typename robot_drives<R, Drives...>::board;
+    using joints = typename Drives::joints;
+    using board = typename Drives::board;
   };
-  using type = robot_on_drives<R,
-                               Bus,
-                               typename robot_drives<R, Drives...>::board,
-                               typename robot_drives<R, Drives...>::joints>;
+  using type = robot_on_drives<R, Bus, typename Drives::board, typename Drives::joints>;
 };
+
+template <class R, class Bus, class... Drives>
+struct unchecked_robot : robot_parts<R, Bus, drives_of_robot<R, Drives...>>::type,
+                         robot_parts<R, Bus, drives_of_robot<R, Drives...>>::parts {};
+
+template <class R, class... Drives>
+using robot_check = no_mistake<typename drives_of_robot<R, Drives...>::mistake>;
 
 }  // namespace detail
 
 template <class R, class Bus, class... Drives>
-struct robot
-    : detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::type,
-      detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::
-          parts {};
-
-// The joints as one list.
-template <class R, class Bus, class... J, class... Board>
-struct robot<R, Bus, joint_list<J...>, Board...> : robot<R, Bus, J..., Board...> {};
+struct robot : detail::unchecked_robot<R, Bus, Drives...> {
+  static_assert(detail::robot_check<R, Drives...>::shown);
+};
 
 }  // namespace cca::hardware
