@@ -169,7 +169,7 @@ struct drives_of_robot {
 template <class R, class... J, class... Board>
 struct drives_of_robot<R, joint_list<J...>, Board...> : drives_of_robot<R, J..., Board...> {};
 
-// What a robot asserts itself: on clang that is fewer lines of output than inside of holds_or_tells.
+// What a robot asserts itself: from inside of holds_or_tells its output would be longer.
 template <class Mistake, bool IsWhole = cca::detail::prints_whole_texts>
 struct no_mistake : cca::detail::as_bool<cca::detail::printed<cca::detail::told<Mistake>>> {};
 template <class Mistake>
