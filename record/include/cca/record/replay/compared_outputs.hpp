@@ -16,6 +16,7 @@
 #include <cca/graph/deployment/part.hpp>
 #include <cca/graph/modes/plan_of_modes.hpp>
 #include <cca/record/mcap/printable.hpp>
+#include <cca/runtime/stoppable_parts.hpp>
 #include <cca/space/origin.hpp>
 
 namespace cca::recording::detail {
