@@ -1,4 +1,5 @@
-// What is said where a graph is observed that does not allow it, or what is no controller at all.
+// The messages for recorders, replays and tracers: their graph has no mark, or what they get is no
+// controller.
 #pragma once
 
 #include <cstdint>

@@ -295,9 +295,7 @@ private:
         if (here[E]) loop.idle();
       });
     });
-    const auto& first = *std::ranges::min_element(shared->environments, {}, [](const auto& e) {
-      return e.fault.position.load(std::memory_order_acquire);
-    });
+    const auto& first = shared->first_to_fail();
     changes::end_run();
     const std::int64_t fault_at = first.fault.position;
     const bool is_faulted = fault_at != detail::no_position;

@@ -1,7 +1,6 @@
 // The figures of a deployment's wall-clock runs. `Self` has the exchange, in `shared`.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -55,8 +54,7 @@ public:
     unreturned_fault one;
     const Self& self = static_cast<const Self&>(*this);
     const auto& all = *self.shared;
-    const auto& first = *std::ranges::min_element(
-        all.environments, {}, [](const auto& e) { return e.fault.position.load(std::memory_order_acquire); });
+    const auto& first = all.first_to_fail();
     const std::int64_t position = first.fault.position.load(std::memory_order_acquire);
     if (position == no_position) return one;
     one.beat = position / exchange<D>::calls_and_one + 1;

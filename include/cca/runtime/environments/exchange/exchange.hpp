@@ -274,6 +274,11 @@ struct exchange<D,
   std::int64_t position(int environment) const noexcept {
     return environments[array_size(environment)].position.load(std::memory_order_acquire);
   }
+  // The record with the first fault of this run; without one, any.
+  const auto& first_to_fail() const noexcept {
+    return *std::ranges::min_element(
+        environments, {}, [](const auto& e) { return e.fault.position.load(std::memory_order_acquire); });
+  }
   // The first fault of this run; `no_position`: none.
   std::int64_t fault_position() const noexcept {
     std::int64_t first = no_position;
