@@ -1,6 +1,6 @@
 // How the parameters of a recording differ from those of a component: by the schemas of their messages
-// (messages/parameter_message.hpp). The message itself has only values, so a parameter of another name, or
-// two that have changed places, would be taken for what they are not.
+// (messages/parameter_message.hpp). The message itself has only values: by them alone, a renamed parameter
+// or two swapped ones would go unnoticed.
 #pragma once
 
 #include <string>
