@@ -2,7 +2,6 @@
 // they are compiled once for the program (cca/base/separate/compiled.hpp).
 #pragma once
 
-#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -41,10 +40,29 @@ struct output_line {
   }
 };
 
-// With the name of the output in each line "wire to limits.command from output 1, delayed 0": the number
-// counts the lines of outputs, of a set of modes those of the same mode.
+// A line "wire to limits.command from output 1, delayed 0": what stands before "from", the number, the rest.
+struct wire_line {
+  std::string_view to, rest;
+  std::size_t output = 0;
+
+  static std::optional<wire_line> of(std::string_view line) {
+    wire_line one;
+    constexpr std::string_view begin = "wire to ", from = " from output ";
+    const auto at = line.rfind(from);
+    if (!line.starts_with(begin) || at == line.npos) return {};
+    one.to = line.substr(0, at);
+    const std::string_view number = line.substr(at + from.size());
+    const char *const first = number.data(), *const last = first + number.size();
+    const auto [to, error] = std::from_chars(first, last, one.output);
+    if (error != std::errc()) return {};
+    one.rest = {to, last};
+    return one;
+  }
+};
+
+// With the name of the output in each line of a wire: the number counts the lines of outputs, of a set of
+// modes those of the same mode.
 inline std::string with_writers(std::string_view text) {
-  constexpr std::string_view wire = "wire to ", from = " from output ";
   std::string all;
   std::vector<std::string_view> outputs;
   while (!text.empty()) {
@@ -52,14 +70,8 @@ inline std::string with_writers(std::string_view text) {
     text = rest;
     if (line.starts_with("mode ")) outputs.clear();
     if (const auto output = output_line::of(line)) outputs.push_back(output->port);
-    const auto at = line.starts_with(wire) ? line.rfind(from) : line.npos;
-    std::size_t number = 0;
-    const char *const first = line.data() + std::min(at, line.size() - from.size()) + from.size(),
-                      *const last = line.data() + line.size();
-    if (const auto [end, error] = at == line.npos ? std::from_chars_result{first, std::errc::invalid_argument}
-                                                  : std::from_chars(first, last, number);
-        error == std::errc() && number < outputs.size())
-      all.append(line.substr(0, at)).append(" from ").append(outputs[number]).append(end, last);
+    if (const auto wire = wire_line::of(line); wire && wire->output < outputs.size())
+      all.append(wire->to).append(" from ").append(outputs[wire->output]).append(wire->rest);
     else all += line;
     all += '\n';
   }
