@@ -381,6 +381,9 @@ struct loop {
     return o;
   }
 
+  using matrix6 = Eigen::Matrix<double, 6, 6>;
+  static matrix6 square_of(const matrix6& root) { return root * root.transpose(); }
+
   // The hand as a spring, the elbow in its posture.
   vector7 impedance(const known& all, const moment& m, const order& o) {
     namespace detail = cca::detail;
@@ -403,12 +406,23 @@ struct loop {
       const auto& at = dynamics(all, q);
       const Eigen::Matrix3d frame = cca::rotation::matrix(Vector4d(goal.tail<4>()));
       const vector6 away = twist - at.jacobian * dq;
-      vector6 wrench =
-          added + detail::damping_along_frame(frame, d6, away) +
-          detail::damping_for<6>(at.mobility, detail::root_along(frame, k6), soft.damping_ratio) * away;
+      matrix6 resists =
+          square_of(detail::root_along(frame, d6)) +
+          detail::damping_for<6>(at.mobility, detail::root_along(frame, k6), soft.damping_ratio);
+      // What acts once a beat must be slow enough for the inertia that it moves.
+      const matrix7 damping = at.jacobian.transpose() * resists * at.jacobian;
+      matrix7 stiffness = at.jacobian.transpose() * square_of(detail::root_along(frame, k6)) * at.jacobian;
+      vector7 posture_k = soft.posture_stiffness;
+      stiffness += posture_k.asDiagonal();
+      const double share = detail::stable_share<7, false>(at.mass, damping, stiffness, dt);
+      if (share < 1) [[unlikely]] {
+        resists *= share;
+        k6 *= share * share, posture_k *= share * share;
+      }
+      vector6 wrench = added + resists * away;
       if (pulls) wrench += detail::cartesian_spring(at.end, goal, frame, k6, soft.largest).wrench;
       vector7 spring = vector7::Zero();
-      if (pulls) spring = at.free_torques(vector7(soft.posture_stiffness.cwiseProduct(rest - q)));
+      if (pulls) spring = at.free_torques(vector7(posture_k.cwiseProduct(rest - q)));
       const vector7 damper = -soft.posture_damping * at.free_momentum(dq);
       if (!tanks_begun) posture_tank.start(soft.posture_energy);
       if (impedance_gap) posture_tank.draw_after_gap(q, soft.posture_energy);

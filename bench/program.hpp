@@ -1,6 +1,7 @@
 // One benchmark program: the same arithmetic as a graph, as a loop written by hand, and in the classical way.
 //
-//   program check [BEATS]         compares the three, bit for bit, beat by beat; exits with 1 if they differ
+//   program check [BEATS]         compares the three, bit for bit, beat by beat; exits with 1 if they differ,
+//                                 and prints the first number of each form that does
 //   program FORM BEATS            runs `graph`, `by_hand` or `classical` for so many beats (under callgrind)
 //   program figures               allocations per beat and bytes of state, one line per form
 //   program [--benchmark_...]     nanoseconds per beat (Google Benchmark)
@@ -76,28 +77,27 @@ void time(benchmark::State& state) {
   benchmark::DoNotOptimize(form->result());
 }
 
-template <class A, class B>
-bool same_bits(const A& a, const B& b) {
-  for (int i = 0; i < a.size(); ++i)
-    if (const double x = a[i], y = b[i]; std::memcmp(&x, &y, sizeof x) != 0) return false;
-  return true;
-}
-
-// First the graph, then the forms to compare with it.
+// First the graph, then the forms to compare with it. All make the beat before one is compared.
 template <class Graph, class... Others>
 int check(int beats) {
   const auto g = std::make_unique<Graph>();
   const auto others = std::make_tuple(std::make_unique<Others>()...);
   for (int k = 0; k < beats; ++k) {
     g->step();
-    const bool same = std::apply(
-        [&](const auto&... one) { return ((one->step(), same_bits(g->result(), one->result())) && ...); },
-        others);
-    if (same) continue;
-    std::fprintf(stderr, "beat %d: the forms differ: %.17g", k, g->result()[0]);
-    std::apply([&](const auto&... one) { (std::fprintf(stderr, ", %.17g", one->result()[0]), ...); }, others);
-    std::fputc('\n', stderr);
-    return 1;
+    std::apply([](const auto&... one) { (one->step(), ...); }, others);
+    const auto expected = g->result();
+    const auto differs = [&]<class Form>(const Form& form) {
+      const auto found = form.result();
+      for (int i = 0; i < expected.size(); ++i) {
+        const double x = expected[i], y = found[i];
+        if (std::memcmp(&x, &y, sizeof x) == 0) continue;
+        std::fprintf(stderr, "beat %d: number %d of `%s` is %.17g, that of the graph %.17g\n", k, i,
+                     Form::name, y, x);
+        return true;
+      }
+      return false;
+    };
+    if (std::apply([&](const auto&... one) { return (differs(*one) + ... + 0) > 0; }, others)) return 1;
   }
   return 0;
 }

@@ -55,13 +55,6 @@ inline spring_pull cartesian_spring(const rigid& end,
   return {spatial(frame * torque_of_gradient(r, angular(cut)), frame * linear(cut)), cut != pull};
 }
 
-// Dampers along the axes of a frame.
-inline vector6 damping_along_frame(const matrix3& frame, const vector6& damping, const vector6& motion) {
-  const vector6 local =
-      damping.cwiseProduct(spatial(frame.transpose() * angular(motion), frame.transpose() * linear(motion)));
-  return spatial(frame * angular(local), frame * linear(local));
-}
-
 // G with the stiffness G G^T along the axes of the base.
 inline matrix6 root_along(const matrix3& frame, const vector6& stiffness) {
   matrix6 root = matrix6::Zero();
