@@ -91,7 +91,7 @@ int main(int count, char** words) {
   std::uint64_t seconds = 10;
   cca::command_line line("wake-ups of a deployment at 1 kHz in real time, as a line of JSON");
   line.one_of("--core N", core, std::array{"0", "1"}, "where it runs (0)");
-  line.whole_number("--seconds S", seconds, 1, "how long (10)", 86400);
+  line.whole_number("--seconds S", seconds, 1, 86400, "how long (10)");
   return cca::run_program(count, words, line, [&] {
     const auto length = static_cast<std::int64_t>(seconds);
     return core == 0 ? measure<0>(length) : measure<1>(length);

@@ -58,7 +58,7 @@ struct options {
         "robot or mind (robot): which of the two this is");
     line.text("--own ADDRESS", own, "of this machine; without it both are this machine");
     line.text("--other ADDRESS", other, "of the other one");
-    line.whole_number("--dds DOMAIN", domain, 0, "the domain of DDS, the same on both (7)", 230);
+    line.whole_number("--dds DOMAIN", domain, 0, 230, "the domain of DDS, the same on both (7)");
     line.flag("--loses", loses, "the network loses a message in a hundred or more");
     line.whole_number("--beats N", run.most_beats, 1, "the same on both (1000)");
     line.number("--pace S", pace, 0.001, 1,

@@ -3,6 +3,7 @@
 //
 //   cca::command_line line("a simulated Oncilla trots");
 //   line.number("--speed V", o.speed, 0, 1, "m/s (the parameters' speed)");
+//   line.whole_number("--count N", o.count, 1, 100, "how many (10)");
 //   line.flag("--quiet", o.quiet, "prints nothing");
 //   line.parse({"--speed", "0.5"});   // throws cca::command_line_error
 //
@@ -78,25 +79,33 @@ public:
   }
   void texts(std::string_view option, std::vector<std::string>& into, std::string_view help);
   template <class Into>
-  void number(std::string_view option, Into&& into, double low, double high, std::string_view help) {
+  void number(std::string_view option, Into&& into, double least, double most, std::string_view help) {
     value(
         option,
-        [put = detail::setter<double>(into), name = name_in(option), low, high](const std::string& given) {
-          put(number_in(name, given, low, high));
+        [put = detail::setter<double>(into), name = name_in(option), least, most](const std::string& given) {
+          put(number_in(name, given, least, most));
         },
         help);
   }
+  // From `least` on; with `most`, no more than that.
   template <class Into>
-  void whole_number(std::string_view option,
-                    Into&& into,
-                    std::uint64_t least,
-                    std::string_view help,
-                    std::uint64_t most = any_whole_number) {
+  void whole_number(std::string_view option, Into&& into, std::uint64_t least, std::string_view help) {
+    whole_number(option, into, least, any_whole_number, help);
+  }
+  template <class Into>
+  void whole_number(
+      std::string_view option, Into&& into, std::uint64_t least, std::uint64_t most, std::string_view help) {
     value(
         option,
         [put = detail::setter<std::uint64_t>(into), name = name_in(option), least,
          most](const std::string& given) { put(whole_number_in(name, given, least, most)); },
         help);
+  }
+  // The order of earlier versions.
+  template <class Into>
+  void whole_number(
+      std::string_view option, Into&& into, std::uint64_t least, std::string_view help, std::uint64_t most) {
+    whole_number(option, into, least, most, help);
   }
   // One of these names; its number goes into a number or an enumeration.
   template <class Into, class Names>

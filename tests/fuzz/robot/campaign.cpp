@@ -261,7 +261,7 @@ int judge_lives(std::uint64_t seconds, std::uint64_t seed) {
 int main(int count, char** words) {
   std::uint64_t seconds = 60, seed = 1;
   cca::command_line line("random lives of whole robots; each frame that they send is judged");
-  line.whole_number("--seconds S", seconds, 1, "how long (60)", 86400);
+  line.whole_number("--seconds S", seconds, 1, 86400, "how long (60)");
   line.whole_number("--seed N", seed, 0, "of the first life (1)");
   return cca::run_program(count, words, line, [&] { return judge_lives(seconds, seed); });
 }

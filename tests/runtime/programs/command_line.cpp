@@ -22,7 +22,7 @@ struct options {
   std::optional<double> most;
   std::optional<std::string> csv;
   std::vector<std::string> configs, files;
-  int count = 3;
+  int count = 3, node = 5;
   paw with = paw::left;
   std::string ground = "flat";
   bool quiet = false;
@@ -33,6 +33,7 @@ struct options {
     line.text("--csv FILE", csv, "every fifth beat");
     line.texts("--config FILE", configs, "parameters");
     line.whole_number("--count N", count, 1, "how many (3)");
+    line.whole_number("--node N", node, 1, 127, "of its drive (5)");
     line.one_of("--paw P", with, std::array{"left", "right"}, "left or right (left):\non which side it is");
     line.value(
         "--terrain T",
@@ -75,15 +76,16 @@ auto program(Act act) {
 
 TEST_SUITE("command line") {
   TEST_CASE("options of all kinds") {
-    const options o =
-        parse({"--speed", "0.25", "a.json", "--most", "-2.5", "--csv", "x.csv", "--config", "a.toml",
-               "--config=b.toml", "--count", "7", "--paw", "right", "--terrain", "steps", "--quiet", "b.md"});
+    const options o = parse({"--speed",  "0.25",   "a.json",          "--most",  "-2.5",    "--csv",  "x.csv",
+                             "--config", "a.toml", "--config=b.toml", "--count", "7",       "--node", "9",
+                             "--paw",    "right",  "--terrain",       "steps",   "--quiet", "b.md"});
     CHECK_EQ(o.speed, 0.25);
     CHECK_EQ(o.most, -2.5);
     CHECK_EQ(o.csv, "x.csv");
     CHECK_EQ(o.configs, std::vector<std::string>{"a.toml", "b.toml"});
     CHECK_EQ(o.files, std::vector<std::string>{"a.json", "b.md"});
     CHECK_EQ(o.count, 7);
+    CHECK_EQ(o.node, 9);
     CHECK(o.with == paw::right);
     CHECK_EQ(o.ground, "steps");
     CHECK(o.quiet);
@@ -103,9 +105,23 @@ TEST_SUITE("command line") {
     CHECK_EQ(refusal({"--speed", "1", "--speed", "1"}), "--speed: it stands there twice");
     CHECK_EQ(refusal({"--count", "0"}), "--count 0: expected a whole number, 1 or more");
     CHECK_EQ(refusal({"--count", "1.5"}), "--count 1.5: expected a whole number, 1 or more");
+    for (const char* wrong : {"0", "128"})
+      CHECK_EQ(refusal({"--node", wrong}),
+               std::string("--node ") + wrong + ": expected a whole number from 1 to 127");
     CHECK_EQ(refusal({"--paw", "hind"}), "--paw hind: expected one of left right");
     CHECK_EQ(refusal({"--terrain", "sea"}), "it can't swim");
     CHECK_EQ(refusal({"a", "b", "c"}), "c: expected at most 2 words; see --help");
+  }
+
+  TEST_CASE("the earlier order of a whole number's greatest value and its help is still read") {
+    cca::command_line line("walks");
+    int node = 5;
+    line.whole_number("--node N", node, 1, "of its drive (5)", 127);
+    line.parse({"--node", "127"});
+    CHECK_EQ(node, 127);
+    CHECK(line.help("walk").find("  --node N          of its drive (5)\n") != std::string::npos);
+    CHECK_THROWS_WITH_AS(line.parse({"--node", "128"}), "--node 128: expected a whole number from 1 to 127",
+                         cca::command_line_error);
   }
 
   TEST_CASE("help and version") {
@@ -119,6 +135,7 @@ TEST_SUITE("command line") {
                "  --csv FILE        every fifth beat\n"
                "  --config FILE     parameters\n"
                "  --count N         how many (3)\n"
+               "  --node N          of its drive (5)\n"
                "  --paw P           left or right (left):\n"
                "                    on which side it is\n"
                "  --terrain T       the ground\n"
