@@ -8,6 +8,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,19 +18,32 @@
 
 namespace cca::detail {
 
+// "hip knee", and of many the first ones: "a0 a1 ... a15 and 32 more".
+template <class WordOf>
+std::string first_words(int count, WordOf word_of) {
+  constexpr int most = 16;
+  std::string text;
+  for (int i = 0; i < std::min(count, most); ++i) text.append(i ? " " : "").append(word_of(i));
+  if (count > most) text += " and " + std::to_string(count - most) + " more";
+  return text;
+}
+
 // "rad", or one unit for each number: "m m m 1 1 1 1".
-inline std::string units_text(const space_info& space) {
-  const space_schema all(space);
-  std::string units, first;
+inline std::string units_text(const space_schema& all) {
+  const auto unit = [&](int i) {
+    const std::string_view stated = all.field(i).unit;
+    return std::string(stated.empty() ? "1" : stated);
+  };
   bool is_same = true;
-  for (int i = 0; i < all.field_count(); ++i) {
-    const schema_field f = all.field(i);
-    const std::string unit(f.unit.empty() ? "1" : f.unit);
-    if (i == 0) first = unit;
-    is_same = is_same && unit == first;
-    units.append(i ? " " : "").append(unit);
-  }
-  return is_same ? first : units;
+  for (int i = 1; i < all.field_count(); ++i) is_same = is_same && unit(i) == unit(0);
+  return is_same ? unit(0) : first_words(all.field_count(), unit);
+}
+
+// The names of its numbers, or how many there are.
+inline std::string numbers_text(const space_schema& all) {
+  if (!all.has_names())
+    return std::to_string(all.field_count()) + (all.field_count() == 1 ? " number" : " numbers");
+  return first_words(all.field_count(), [&](int i) { return std::string(all.field(i).name()); });
 }
 
 inline std::string rate_text(const space_info& space) {
@@ -63,9 +77,7 @@ CCA_MAIN_INLINE std::string list_of_outputs(const std::vector<listed_output>& ou
   std::vector<std::vector<std::string>> rows{{"output", "space", "unit", "rate", "numbers"}};
   for (const auto& [path, space] : outputs) {
     const space_schema all(*space);
-    std::string numbers;
-    for (int i = 0; i < all.field_count(); ++i) numbers.append(i ? " " : "").append(all.field(i).name());
-    rows.push_back({path, std::string(space->name), units_text(*space), rate_text(*space), numbers});
+    rows.push_back({path, std::string(space->name), units_text(all), rate_text(*space), numbers_text(all)});
   }
   return in_columns(rows);
 }

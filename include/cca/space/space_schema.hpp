@@ -57,6 +57,8 @@ public:
   constexpr double hz() const { return space->hz; }                    // 0: the space states no rate
   constexpr int field_count() const { return space->size; }
   constexpr int bytes() const { return 8 * space->size; }
+  // False: its numbers are no axes' and the domain type names none, so they are called c0, c1, ...
+  constexpr bool has_names() const { return space->coordinates || space->size == space->axis_count; }
   constexpr std::uint64_t hash() const { return hashed; }
 
   constexpr schema_field field(int i) const {

@@ -92,6 +92,31 @@ struct walking : cca::robot_program<leg> {
   void loaded(controller_type&) override { std::printf("loaded;"); }
 };
 
+// ---- outputs of many numbers, with and without names ----
+
+struct legs : cca::array_of<leg_angles, 9> {};  // 18 axes
+struct ground_frame : cca::frame<"ground"> {};
+struct hand : cca::space<cca::pose<ground_frame>, cca::axes<cca::x, cca::y, cca::z>> {};
+struct covariance_of {  // a domain type that names no number
+  using quantity = cca::angle;
+  static constexpr bool actuated = false;
+  static constexpr int width(int axes) { return axes * axes; }
+  static constexpr double zero(int, int) { return 0; }
+  template <class Self>
+  struct methods {};
+};
+struct covariance : cca::space<covariance_of, cca::axes<hip, knee>> {};
+template <class Space>
+struct shows {
+  auto process(cca::beat) -> cca::out<"all", Space> {
+    return typename Space::vector_type(Space::vector_type::Zero());
+  }
+};
+struct wide : cca::graph<cca::rate<1000>,
+                         cca::node<"legs", shows<legs>>,
+                         cca::node<"hand", shows<hand>>,
+                         cca::node<"errors", shows<covariance>>> {};
+
 // A busy machine is no lost contact here.
 struct patient : cca::deployment<architecture,
                                  cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
@@ -149,6 +174,27 @@ TEST_CASE("all outputs are listed, with space, unit and rate") {
   CHECK(space.find("leg_angles") != space.npos);
   CHECK(unit + " " + rate + " " + hz + " " + axes == "rad 1000 Hz hip");
   CHECK(child(cca::robot_main<two>, {"--list"}).code() == 0);
+}
+
+TEST_CASE("of many numbers the first are named and the others counted; those without names are counted") {
+  child one(
+      [](int count, char** words) {
+        cca::command_line line("shows");
+        cca::offer_descriptions<cca::controller<wide>>(line);
+        return cca::run_program(count, words, line, [] { return 0; });
+      },
+      {"--list"});
+  CHECK(one.code() == 0);
+  const auto row = [&](const std::string& output) {
+    const std::size_t from = one.out.find("\n" + output) + 1;
+    return one.out.substr(from, one.out.find('\n', from) - from);
+  };
+  CHECK(row("legs.all")
+            .ends_with("  hip0 knee0 hip1 knee1 hip2 knee2 hip3 knee3 hip4 knee4 hip5 knee5 hip6 knee6 "
+                       "hip7 knee7 and 2 more"));
+  CHECK(row("hand.all").ends_with("  x y z qx qy qz qw"));
+  CHECK(row("hand.all").find("  m m m 1 1 1 1  ") != std::string::npos);
+  CHECK(row("errors.all").ends_with("  4 numbers"));
 }
 
 TEST_CASE("the first cause is told first, and what was limited") {
