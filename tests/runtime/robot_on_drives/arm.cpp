@@ -245,7 +245,7 @@ TEST_SUITE("the arm on drives") {
       CAPTURE(trouble);
       const auto l = std::make_unique<lab<G>>();
       l->run();
-      auto& drive = std::get<3>(l->far.far.drives);
+      auto& drive = l->far.template drive<arm::a4>();
       if (trouble == 0) drive.fail(std::is_same_v<G, on_canopen> ? 0x2310u : 38u);
       if (trouble == 1) drive.go_silent(true);
       if (trouble == 2) drive.reboot(l->far.now, 50'000'000);
@@ -322,8 +322,8 @@ TEST_SUITE("the arm on drives") {
     l->beats(150);
     CHECK(l->stop().first_cause().rule == hw::safety_rule::implausible);
     CHECK(l->stop().first_cause().joint == 1);
-    CHECK_FALSE(std::get<1>(l->far.far.drives).enabled());
-    CHECK(std::get<3>(l->far.far.drives).enabled());
+    CHECK_FALSE(l->far.drive<arm::a2>().enabled());
+    CHECK(l->far.drive<arm::a4>().enabled());
   }
 
   TEST_CASE("a load is taken when force and torque of one measurement have come, and only then") {

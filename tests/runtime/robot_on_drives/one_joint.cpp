@@ -93,7 +93,7 @@ static_assert(hw::detail::follows<positioned>(robots::command_kind::position) &&
 
 struct lab {
   explicit lab(double at = 0.3) {
-    motor.now.position = at;
+    far.plant.put_at<swing>(at);
     motor.inertia = 0.02, motor.friction = 0.01, motor.most_torque = 5;
     controller.load();
   }
@@ -111,7 +111,7 @@ struct lab {
   }
   auto& stop() { return controller.get<"robot.emergency_stop">(); }
   auto& synchronizer() { return controller.get<"robot.synchronizer">(); }
-  auto& drive() { return std::get<0>(far.far.drives); }
+  auto& drive() { return far.drive<swing>(); }
   void run() {
     controller.start();
     beats(60);
@@ -119,9 +119,9 @@ struct lab {
   }
 
   cca::controller<architecture> controller{};
-  hw::virtual_hardware<on_drive, hw::virtual_motors<hw::joint_list<swing_joint>>> far{
+  hw::virtual_hardware<on_drive, hw::virtual_motors<on_drive::joints>> far{
       controller.get<"robot.synchronizer">()};
-  hw::virtual_motor& motor = far.plant.motors[0];
+  hw::virtual_motor& motor = far.plant.motor<swing>();
   hw::drive_command& law = far.laws[0];
   double& load = far.plant.load[0];
   double most_sent = 0;
@@ -198,12 +198,12 @@ TEST_SUITE("a described robot on one drive") {
   TEST_CASE("one whose drive holds stays where motion began, in each start anew") {
     cca::controller<holding_alone> c;
     c.load();
-    hw::virtual_hardware<holds_on_drive, hw::virtual_motors<hw::joint_list<swing_joint>>> far{
+    hw::virtual_hardware<holds_on_drive, hw::virtual_motors<holds_on_drive::joints>> far{
         c.get<"robot.synchronizer">()};
-    hw::virtual_motor& motor = far.plant.motors[0];
+    hw::virtual_motor& motor = far.plant.motor<swing>();
     motor.inertia = 0.02, motor.friction = 0.01, motor.most_torque = 5;
     for (const double at : {0.3, -0.4}) {
-      motor.now = {at, 0, 0};
+      far.plant.put_at<swing>(at);
       far.plant.load[0] = 0;
       c.start();
       for (int k = 0; k < 100; ++k) c.step(), far.step();

@@ -28,6 +28,7 @@ struct chain : cca::serial_chain<stand, bob, cca::axes<swing>> {
 };
 struct pendulum_body : cca::body<stand, cca::part<"rod", chain, cca::driven_by<"swing">>> {};
 
+// [joint]
 struct geared_motor {
   static constexpr std::string_view name = "EPOS4";
   static constexpr double counts = 4096, torque = 0.05;  // rated, at the motor
@@ -36,6 +37,7 @@ struct swing_joint : hw::joint<swing,
                                hw::cia402<geared_motor, 1, hw::cia402_mode::torque>,
                                hw::mounting{.gear = 40, .sign = -1, .offset = 0.2},
                                hw::joint_servo{.stiffness = 20, .damping = 0.6, .safe_damping = 0.5}> {};
+// [joint end]
 
 using wire = hw::memory_bus<3, 16>;
 using end_of_wire = wire::end_type;

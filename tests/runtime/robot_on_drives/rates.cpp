@@ -70,7 +70,8 @@ struct lab {
   static constexpr double hz = Robot::description::rate::hz;
 
   lab() {
-    far.plant.motors[0].inertia = 0.02, far.plant.motors[0].friction = 0.05;
+    hw::virtual_motor& motor = far.plant.template motor<swing>();
+    motor.inertia = 0.02, motor.friction = 0.05;
     controller.load();
   }
   int beats_in(double seconds) const { return static_cast<int>(seconds * hz + 0.5); }
@@ -86,7 +87,7 @@ struct lab {
   }
   auto& synchronizer() { return controller.template get<"robot.synchronizer">(); }
   auto& stop() { return controller.template get<"robot.emergency_stop">(); }
-  double angle() const { return far.plant.motors[0].now.position; }
+  double angle() const { return far.plant.template motor<swing>().now.position; }
 
   cca::controller<architecture<Robot>> controller{};
   hw::virtual_hardware<Robot, hw::virtual_motors<typename Robot::joints>> far{
@@ -148,12 +149,12 @@ void starts_moves_and_stops() {
   CHECK(l.stop().first_cause().rule == hw::safety_rule::none);
 
   // A silent drive is noticed after three beats, and at least 3 ms.
-  std::get<0>(l.far.far.drives).go_silent(true);
+  l.far.template drive<swing>().go_silent(true);
   const double noticed = l.until(1, [&] { return l.stop().mode() != hw::motion_mode::run; });
   CHECK(noticed <= std::max(5 / l.hz, 0.0055));
   CHECK(noticed >= std::max(2 / l.hz, 0.0025));
   CHECK(l.stop().first_cause().rule == hw::safety_rule::silent);
-  std::get<0>(l.far.far.drives).go_silent(false);
+  l.far.template drive<swing>().go_silent(false);
   // A tripped robot is damped for a second, and then disabled.
   const double off = l.until(3, [&] { return l.synchronizer().phase() == hw::motion_phase::stopped; });
   CHECK(off > 0.9);
@@ -185,7 +186,7 @@ void goes_on_after_idle_beats(int idle, double most_moved) {
   for (int k = 0; k < 500; ++k) {
     l.run(0.001);
     moved = std::max(moved, std::abs(l.angle() - before));
-    fastest = std::max(fastest, std::abs(l.far.plant.motors[0].now.velocity));
+    fastest = std::max(fastest, std::abs(l.far.plant.template motor<swing>().now.velocity));
   }
   CAPTURE(idle);
   CHECK(l.far.enabled_count() == 1);
@@ -216,7 +217,7 @@ TEST_SUITE("robots on drives at other rates") {
     cca::controller<architecture<rolling>> c;
     hw::virtual_hardware<rolling, hw::virtual_motors<rolling::joints>, wrapping> far(
         c.get<"robot.synchronizer">());
-    hw::virtual_motor& m = far.plant.motors[0];
+    hw::virtual_motor& m = far.plant.motor<wheel>();
     m.inertia = 0.02, m.friction = 0.02;
     c.load();
     c.get<"source">().value = 0;

@@ -30,20 +30,24 @@
 
 namespace cca::hardware {
 
+// [mounting]
 struct mounting {
-  double gear = 1;
-  double sign = 1;    // -1: the drive turns the other way round
+  double gear = 1;    // turns of the drive's output per turn of the joint, above 0
+  double sign = 1;    // 1, or -1: the drive turns the other way round
   double offset = 0;  // rad, the joint's angle where the drive's is 0
-  double wraps = 0;   // rad; the drive's position jumps back by this at the end of its range; 0: it does not
+  double wraps = 0;   // rad, by which the drive's position jumps back at the end of its range; 0: it does not
 };
+// [mounting end]
 
+// [servo]
 struct joint_servo {
   double stiffness = 0;     // N m/rad, while it follows commands
-  double damping = 0;       // N m s/rad
-  double safe_damping = 1;  // N m s/rad, after a stop
+  double damping = 0;       // N m s/rad, likewise
+  double safe_damping = 1;  // N m s/rad, after a stop and before the first command
   double most_stiff = 200;  // N m/rad, the largest that a controller can ask for
   double most_damping = 5;  // N m s/rad, likewise
 };
+// [servo end]
 
 struct joint_bounds {
   double lower, upper;

@@ -13,14 +13,16 @@
 //             motions()                         position, velocity and torque of each joint: rad, rad/s, N m
 //             feel(reading)                     optional: what the board reads
 //             move_servos(targets)              optional: rad, of the servos of an Oncilla's board
-//             cca::sim::plant (the simulator) is one; virtual_motors below another, a motor a joint
+//             cca::sim::plant (the simulator) is one; virtual_motors<Robot::joints> below another, a motor
+//             for each joint: far.plant.put_at<hip>(0.3) puts one at its angle before a start
 //   Virtual   the virtual drive for each drive (virtual_of.hpp)
 //
+// drive<Axis>() is the virtual drive of the joint of that axis: far.drive<hip>().go_silent(true).
 // step(tap) calls tap(bus, frame) for each frame of the controller. pace() is the pace of runs in the time of
 // these drives: `controller.run(cca::for_<10>{}, far.pace())`, `shut_down(controller, far.pace())`. `wires`:
 // the third end of each bus is for spies and for nodes that disturb. `speed_scale`: of the velocities that
-// the drives report, for tests. Neither copied nor moved: its parts point to one another. Example:
-// tests/runtime/robot_on_drives; docs/hardware.md.
+// the drives report, for tests. Neither copied nor moved: its parts point to one another. Error:
+// space.unknown_axis. Example: tests/runtime/robot_on_drives/laboratory.cpp; docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -30,22 +32,60 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/base/type_name.hpp>
 #include <cca/hardware/bus/memory_bus.hpp>
 #include <cca/hardware/safety/beats.hpp>
 #include <cca/hardware/virtual_drives/virtual_of.hpp>
 #include <cca/hardware/virtual_drives/virtual_robot.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca::hardware {
 
 using virtual_bus = memory_bus<3, 16>;
 using virtual_bus_end = virtual_bus::end_type;
 
-// A plain motor for each joint, with a load (N m) on it.
+namespace detail {
+
+template <class Joints, class Axis>
+struct axis_without_joint {
+  static constexpr void tell(auto& m) {
+    m << "space.unknown_axis: no joint of this robot has the axis " << cca::detail::type_name<Axis>()
+      << ": its joints have " << cca::detail::axes_in_words<typename Joints::axes>() << "; name one of these";
+  }
+};
+
+// The number of the joint of an axis.
+template <class Joints, class Axis>
+constexpr std::size_t joint_of() {
+  constexpr bool is_there = Joints::axes::template contains<Axis>;
+  static_assert(cca::detail::holds_or_tells<is_there, axis_without_joint<Joints, Axis>>::value);
+  if constexpr (is_there) return static_cast<std::size_t>(Joints::axes::template index_of<Axis>);
+  else return 0;
+}
+
+}  // namespace detail
+
+// A plain motor for each joint, with a load (N m) on it. `Joints`: `Robot::joints`.
 template <class Joints>
 struct virtual_motors {
   static constexpr std::size_t count = Joints::count;
   std::array<virtual_motor, count> motors{};
   std::array<double, count> load{};
+
+  // At rest at this angle of the joint (rad).
+  template <class Axis>
+  void put_at(double angle) {
+    motors[detail::joint_of<Joints, Axis>()].now = {angle, 0, 0};
+  }
+  template <class Axis>
+  virtual_motor& motor() {
+    return motors[detail::joint_of<Joints, Axis>()];
+  }
+  template <class Axis>
+  const virtual_motor& motor() const {
+    return motors[detail::joint_of<Joints, Axis>()];
+  }
 
   void advance(const std::array<drive_command, count>& laws, const std::array<bool, count>&, double seconds) {
     for (std::size_t i = 0; i < count; ++i) motors[i].advance(laws[i], load[i], seconds);
@@ -145,6 +185,10 @@ public:
   };
   time_of_drives pace() { return time_of_drives(*this); }
 
+  template <class Axis>
+  auto& drive() {
+    return std::get<detail::joint_of<joints, Axis>()>(far.drives);
+  }
   std::array<bool, count> enabled() const {
     return std::apply([](const auto&... drive) { return std::array{drive.enabled()...}; }, far.drives);
   }

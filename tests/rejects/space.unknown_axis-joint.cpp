@@ -1,0 +1,18 @@
+// EXPECT: space\.unknown_axis: no joint of this robot has the axis ankle: its joints have shoulder, elbow; name one of these
+// LINES: 18
+// The motor and the virtual drive of a joint are found by its axis. A file of its own: the sentence is that
+// of a robot's joints, and not of a space.
+#include <cca/hardware/virtual_hardware.hpp>
+
+#include "arm_on_drives.hpp"
+
+struct ankle : cca::dimension<"ankle"> {};
+struct robot : cca::hardware::robot<described_arm, bus, upper, lower> {};
+
+void put(cca::hardware::virtual_motors<robot::joints>& motors) {
+#if CCA_REJECT
+  motors.put_at<ankle>(0.3);
+#else
+  motors.put_at<elbow>(0.3);
+#endif
+}
