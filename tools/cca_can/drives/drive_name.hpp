@@ -8,7 +8,8 @@
 //   mit-original:12.5/45/18:3 the original firmware
 //   mit:ak80-9:3@16           an MIT drive that answers under the id 16 instead of 0
 //   odrive:3  odrive-0.5:3    ODrive, firmware 0.6 or 0.5; position mode, jog uses torque
-//   moteus:80/2:3             moteus, with servo.pid_position.kp and kd in N m/rad and N m s/rad
+//   moteus:80/2:3             moteus, with servo.pid_position.kp and kd in N m/rad and N m s/rad: the drive's
+//                             settings, which are for a turn, divided by 2 pi
 //   robstride:rs04:3          RobStride, CyberGear: rs01, rs04, cybergear
 //   robstride:12.57/20/60/5000/100:3
 //                             the same with ranges of position, velocity, torque, stiffness and damping

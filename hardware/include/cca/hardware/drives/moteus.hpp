@@ -6,9 +6,10 @@
 //   };
 //   using hip = cca::hardware::moteus<hip_motor, 3>;  // servo 3
 //
-// The motor's type states the drive's settings: servo.pid_position.kp and kd in N m/rad and N m s/rad, the
-// torque that it may use at most in N m, and how long a command holds in s. Numbers are those of its output
-// shaft: turns there, rad here. The command has floats, the answer 32-bit integers.
+// The motor's type states the drive's settings: servo.pid_position.kp and kd in N m/rad and N m s/rad (the
+// drive has them for a turn: divide by 2 pi), the torque that it may use at most in N m, and how long a
+// command holds in s. Numbers are those of its output shaft: turns there, rad here. The command has floats,
+// the answer 32-bit integers.
 //   set_point   stiffness and damping are parts of kp and kd, from 0 to 1. Damping can't be a larger part
 //               than stiffness, since the firmware limits it so (`most_damping`). Without stiffness it does
 //               not damp, use brake(); torque alone is then a torque mode. NaN is refused: in this protocol
