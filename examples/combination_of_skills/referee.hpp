@@ -108,7 +108,7 @@ public:
     const bool has_trotted_on = now_on == plan::at<"trot on"> && since >= c.after_seconds;
     if (has_trotted_on) {
       const auto to = world.trunk_position();
-      r.speed_after = std::hypot(to[0] - from[0], to[1] - from[1]) / c.after_seconds;
+      r.speed_after = cca::math::hypot(to[0] - from[0], to[1] - from[1]) / c.after_seconds;
     }
     over = has_trotted_on || r.fell || time > most_seconds;
     return pushes_now;

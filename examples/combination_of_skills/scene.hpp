@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <cca/sim/oncilla/world.hpp>
 
@@ -37,14 +36,14 @@ public:
   std::optional<Eigen::Vector3d> seen(const cca::sim::world& world, bool stopped) {
     const Eigen::Vector3d trunk = vector(world.trunk_position());
     const cca::sim::quaternion& q = world.reading().trunk.orientation;
-    const Eigen::Quaterniond turn(q.w, q.x, q.y, q.z);
+    const Eigen::Vector4d turn(q.x, q.y, q.z, q.w);
     if (!ball_) {
       if (world.time() < shown_at_) return {};
       const Eigen::Vector3d place = hip_in_trunk(leg_) + beside(places[static_cast<std::size_t>(where_)]);
       if (!stopped) return place;
-      ball_ = Eigen::Vector3d(trunk + turn * place);
+      ball_ = Eigen::Vector3d(trunk + cca::rotation::rotate(turn, place));
     }
-    return Eigen::Vector3d(turn.conjugate() * (*ball_ - trunk));
+    return cca::rotation::rotate<double>(cca::rotation::inverse(turn), *ball_ - trunk);
   }
 
   // The true distance from paw to ball, which no sensor of the robot measures.

@@ -2,7 +2,6 @@
 // Components for the trunk: is it still, heading, steering, and a reflex against swaying.
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <cca/adaptive/criterion.hpp>
 #include <cca/cca.hpp>
@@ -65,7 +64,7 @@ struct heading {
     const double ahead = ball[cca::x{}] - hip[0],
                  beside = ball[cca::y{}] - hip[1] + oncilla::side_of(leg) * p.inside;
     const double off =
-        ball.origin() != cca::never && ahead > p.near ? -std::atan2(beside, ahead) : trunk.yaw();
+        ball.origin() != cca::never && ahead > p.near ? -cca::math::atan2(beside, ahead) : trunk.yaw();
     constexpr double swinging = 0.1;
     if (amplitude[stride{}] > swinging) {
       const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more has no effect

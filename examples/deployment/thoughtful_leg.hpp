@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <cmath>
 
 #include <cca/cca.hpp>
 #include <cca/deployment.hpp>
@@ -36,7 +35,7 @@ struct thinker {
   // Takes long, but its result depends on its inputs alone.
   auto process(cca::in<"angle", hip_angle> is, cca::beat now) -> cca::out<"plan", hip_angle> {
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(p.milliseconds);
-    const double plan = p.step * std::sin(static_cast<double>(now.index()) + 3 * is[hip{}]);
+    const double plan = p.step * cca::math::sin(static_cast<double>(now.index()) + 3 * is[hip{}]);
     while (std::chrono::steady_clock::now() < end) {}
     return plan;
   }

@@ -38,7 +38,7 @@ struct gait {
   auto process(cca::in<"load", load> on_foot, cca::beat now)
       -> std::tuple<cca::out<"angles", leg_angles>, cca::switch_to<"stand">> {
     phase += 6 * now.dt();
-    return {0.5 * std::sin(phase), on_foot[cca::x{}] < 5};  // true asks for the mode
+    return {0.5 * cca::math::sin(phase), on_foot[cca::x{}] < 5};  // true asks for the mode
   }
   double phase = 0;
 };

@@ -1,5 +1,4 @@
 // The README's example: a leg that is commanded to swing farther than its hip can, and a limiter.
-#include <cmath>
 #include <cstdio>
 
 // [quickstart]
@@ -16,7 +15,7 @@ struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rat
 struct swing {
   auto process(cca::beat now) -> cca::out<"angles", leg_angles> {
     const double angle = 6e-9 * static_cast<double>(now.time());
-    return leg_angles::vector_type{0.7 * std::sin(angle), 0.4 * std::cos(angle) - 0.9};
+    return leg_angles::vector_type{0.7 * cca::math::sin(angle), 0.4 * cca::math::cos(angle) - 0.9};
   }
 };
 

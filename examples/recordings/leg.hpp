@@ -26,7 +26,7 @@ struct leg {
 
 struct swing {
   auto process(cca::beat now) -> cca::out<"angle", hip_angle> {
-    return 0.3 * std::sin(3e-9 * static_cast<double>(now.time()));
+    return 0.3 * cca::math::sin(3e-9 * static_cast<double>(now.time()));
   }
 };
 

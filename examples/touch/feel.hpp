@@ -62,7 +62,8 @@ private:
     const Eigen::Vector3d centre =
         cca::rotation::rotate(Eigen::Vector4d(pose.vector().tail<4>()), Eigen::Vector3d(0, 0, r));
     const double square = force.squaredNorm();
-    const Eigen::Vector3d on_line = force.cross(torque) / square, off = on_line - centre;
+    const Eigen::Vector3d on_line = cca::rotation::cross<double>(force, torque) / square,
+                          off = on_line - centre;
     const double along = off.dot(force), root = along * along - square * (off.squaredNorm() - r * r);
     const double step = (-along - std::sqrt(std::max(root, 0.0))) / square;
     return -(off + step * force).normalized();

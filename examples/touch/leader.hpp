@@ -21,11 +21,11 @@
 // What it wants is as old as the force that it looks at, not as old as the last order: on drives a command
 // that is made of old data stops the arm.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <tuple>
 
 #include <cca/adaptive/sequencer.hpp>
+#include <cca/base/math.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/motor/spaces.hpp>
 
@@ -120,10 +120,10 @@ struct leader {
 private:
   // The flange's z into the table: from looking straight down by the shortest turn.
   static Eigen::Vector4d against(const Eigen::Vector3d& normal) {
-    const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ().cross(normal);
+    const Eigen::Vector3d axis = cca::rotation::cross<double>({0, 0, 1}, normal);
     const double sine = axis.norm();
     if (sine < 1e-9) return {1, 0, 0, 0};
-    return cca::rotation::product(cca::rotation::about(axis, std::atan2(sine, normal[2])),
+    return cca::rotation::product(cca::rotation::about(axis, cca::math::atan2(sine, normal[2])),
                                   Eigen::Vector4d(1, 0, 0, 0));
   }
 

@@ -2,13 +2,13 @@
 // What happens to the arm in a run: somebody leads its hand, a table moves, somebody pushes it. All of it
 // follows from the seed.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <random>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
+#include <cca/base/math.hpp>
 #include <cca/sim/robot.hpp>
 
 #include "plan.hpp"
@@ -38,13 +38,14 @@ public:
     bow = {within(-0.05, 0.05), within(-0.05, 0.05), within(0.02, 0.08)};
     turn = {within(-0.3, 0.3), within(-0.3, 0.3), within(-0.4, 0.4)};
     const double shift_to = within(-std::numbers::pi, std::numbers::pi);
-    shift = 0.1 * Eigen::Vector3d(std::cos(shift_to), 0.8 * std::sin(shift_to), 0.6 * std::sin(shift_to));
+    const auto [sine, cosine] = cca::math::sine_and_cosine(shift_to);
+    shift = 0.1 * Eigen::Vector3d(cosine, 0.8 * sine, 0.6 * sine);
     const double tilts_about = within(-std::numbers::pi, std::numbers::pi);
-    tilt_axis = {std::cos(tilts_about), std::sin(tilts_about), 0};
+    tilt_axis = {cca::math::cos(tilts_about), cca::math::sin(tilts_about), 0};
     tilt = within(0.5, 1) * std::numbers::pi / 18;
     lift = within(-1, 1) < 0 ? -0.02 : 0.02;
     const double pushed_to = within(-std::numbers::pi, std::numbers::pi);
-    push = push_force * Eigen::Vector3d(std::cos(pushed_to), std::sin(pushed_to), 0);
+    push = push_force * Eigen::Vector3d(cca::math::cos(pushed_to), cca::math::sin(pushed_to), 0);
   }
 
   static cca::sim::scene room() {
@@ -72,7 +73,7 @@ public:
   // Of the table as it stands at the end of its movement.
   Eigen::Vector3d normal(double in_wipe) const {
     const double share = std::clamp(smooth((in_wipe - 2) / 0.6), 0.0, 1.0);
-    return Eigen::AngleAxisd(share * tilt, tilt_axis) * Eigen::Vector3d::UnitZ();
+    return cca::rotation::rotate<double>(cca::rotation::about<double>(tilt_axis, share * tilt), {0, 0, 1});
   }
 
   Eigen::Vector3d shift;             // of the second goal, 0.1 m
@@ -100,12 +101,12 @@ private:
     const auto now = world.end(0);
     if (time <= 0.001) begin = now.where.at, upright = now.where.turn;
     if (time > guided_for + 1.5) return pull(world, {0, 0, 0});
-    const double s = std::min(time / guided_for, 1.0), share = smooth(s);
-    const Eigen::Vector3d wanted = begin + share * end + 64 * std::pow(s * (1 - s), 3) * bow;
-    const Eigen::Matrix3d held = Eigen::AngleAxisd(share * turn.norm(), turn.normalized()) * upright;
-    const Eigen::AngleAxisd off(Eigen::Matrix3d(held * now.where.turn.transpose()));
-    pull(world, 400 * (wanted - now.where.at) - 40 * now.velocity,
-         10 * off.angle() * off.axis() - 0.6 * now.angular_velocity);
+    const double s = std::min(time / guided_for, 1.0), share = smooth(s), bent = s * (1 - s);
+    const Eigen::Vector3d wanted = begin + share * end + 64 * bent * bent * bent * bow;
+    const Eigen::Matrix3d held = cca::rotation::matrix(cca::rotation::exp<double>(share * turn)) * upright;
+    const Eigen::Vector3d off =
+        cca::rotation::log(cca::rotation::from_matrix<double>(held * now.where.turn.transpose()));
+    pull(world, 400 * (wanted - now.where.at) - 40 * now.velocity, 10 * off - 0.6 * now.angular_velocity);
   }
 
   Eigen::Vector3d end, bow, turn, tilt_axis, push, begin{};

@@ -1,9 +1,9 @@
 #pragma once
 // The rhythmic movement in the plane of the table: an oscillator, and a movement primitive whose shape is an
 // ellipse.
-#include <cmath>
 #include <numbers>
 
+#include <cca/base/math.hpp>
 #include <cca/motor/dmp_rhythmic.hpp>
 #include <cca/motor/hopf.hpp>
 
@@ -21,8 +21,8 @@ struct ellipse : cca::dmp_rhythmic<place_on_table, stroke, 30> {
     p.frequency = 0.5;
     for (int i = 0; i < 30; ++i) {
       const double phi = 2 * std::numbers::pi * i / 30;
-      const Eigen::Vector2d at(length * std::cos(phi), width * std::sin(phi)),
-          rate(-length * std::sin(phi), width * std::cos(phi));
+      const auto [sine, cosine] = cca::math::sine_and_cosine(phi);
+      const Eigen::Vector2d at(length * cosine, width * sine), rate(-length * sine, width * cosine);
       p.weights.col(i) =
           ode::wanted_forcing(at, rate, -at, Eigen::Vector2d::Zero(), 1, {p.weights, p.stiffness});
     }

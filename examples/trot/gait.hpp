@@ -17,7 +17,6 @@
 // feet, which push, slip. `squat` extends the front legs and flexes the hind ones.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -88,7 +87,7 @@ private:
     const double landing = whole * p.duty;
     const bool in_stance = phase < landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
-    const double cosine = std::cos(half * (in_stance ? part : 1 + part));
+    const double cosine = cca::math::cos(half * (in_stance ? part : 1 + part));
     const double slope = -2 * (1 - p.duty) / p.duty;  // of the swing, at both ends
     const double straight =
         in_stance ? 1 - 2 * part : -1 + part * (slope + part * (3 * (2 - slope) + part * 2 * (slope - 2)));
@@ -100,7 +99,7 @@ private:
     const bool in_stance = phase <= landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
     const double height = in_stance ? static_cast<double>(p.give) : lift;
-    const double sine = std::sin(half * part);
+    const double sine = cca::math::sin(half * part);
     return height * sine * sine;
   }
 };

@@ -1,8 +1,6 @@
 // Tutorial, step 8: an architecture for any robot with the ports of the Oncilla. docs/tutorial/8_simulator.md
 #pragma once
 
-#include <cmath>
-
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla.hpp>
 
@@ -13,7 +11,7 @@
 struct crouch {
   auto process(cca::beat now) -> cca::out<"angles", cca::sim::leg_angles> {
     const double t = 1e-9 * static_cast<double>(now.time());
-    const double lift = 0.01 * (1 - std::cos(2 * cca::pi * t));  // of the feet, 0 to 20 mm
+    const double lift = 0.01 * (1 - cca::math::cos(2 * cca::pi * t));  // of the feet, 0 to 20 mm
     const auto leg = cca::sim::leg_angles_for(cca::sim::oncilla_defaults, {0.04, -0.165 + lift});
     cca::sim::leg_angles::vector_type angles;
     angles << Eigen::Vector4d::Constant(leg.hip), Eigen::Vector4d::Constant(leg.knee);

@@ -7,6 +7,7 @@
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/adaptive/recursive_least_squares.hpp>
 #include <cca/adaptive/training.hpp>
+#include <cca/base/math.hpp>
 
 #include "leg_spaces.hpp"
 
@@ -34,7 +35,9 @@ struct weight_of_leg {
     BOOST_HANA_DEFINE_STRUCT(parameters, (Eigen::Matrix2d, weights));
     parameters() : weights(Eigen::Matrix2d::Zero()) {}
   };
-  static Eigen::Vector2d regressors(const input& q) { return {std::sin(q[0]), std::sin(q[0] + q[1])}; }
+  static Eigen::Vector2d regressors(const input& q) {
+    return {cca::math::sin(q[0]), cca::math::sin(q[0] + q[1])};
+  }
   static output answer(const parameters& p, const input& q) { return p.weights * regressors(q); }
   static std::string title() { return "weight of a leg over hip, knee"; }
 };

@@ -1,8 +1,9 @@
 // Tutorial, step 4: a leg to control, instead of a robot. docs/tutorial/4_two_rates.md
 #pragma once
 
-#include <cmath>
 #include <tuple>
+
+#include <cca/base/math.hpp>
 
 #include "leg_spaces.hpp"
 
@@ -18,7 +19,7 @@ struct simple_leg {
   }
   void act(cca::in<"currents", leg_currents> currents, cca::beat now) {
     constexpr double inertia = 0.02, friction = 0.05;  // kg m^2, N m s/rad; the gears give 1 N m/A
-    const double upper = 1.2 * std::sin(angles[0]), lower = 0.5 * std::sin(angles[0] + angles[1]);
+    const double upper = 1.2 * cca::math::sin(angles[0]), lower = 0.5 * cca::math::sin(angles[0] + angles[1]);
     const Eigen::Vector2d weight(upper + lower, lower);  // N m
     velocities += now.dt() / inertia * (currents.vector() - friction * velocities - weight);
     angles += now.dt() * velocities;

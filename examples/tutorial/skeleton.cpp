@@ -1,6 +1,8 @@
 // Tutorial, step 6: two legs from one skeleton. docs/tutorial/6_skeleton.md
 #include <cstdio>
 
+#include <cca/base/math.hpp>
+
 #include "controlled_leg.hpp"
 #include "impedance.hpp"
 
@@ -8,7 +10,7 @@
 // Both feet to the front and back, against each other.
 struct stride {
   auto process(cca::beat now) -> std::tuple<cca::out<"left", leg_target>, cca::out<"right", leg_target>> {
-    const double swing = 0.3 * std::sin(3e-9 * static_cast<double>(now.time()));
+    const double swing = 0.3 * cca::math::sin(3e-9 * static_cast<double>(now.time()));
     return {Eigen::Vector2d(swing, -0.5), Eigen::Vector2d(-swing, -0.5)};
   }
 };

@@ -1,6 +1,8 @@
 // Tutorial, step 4: a graph with two rates. docs/tutorial/4_two_rates.md
 #pragma once
 
+#include <cca/base/math.hpp>
+
 #include "impedance.hpp"
 #include "simple_leg.hpp"
 
@@ -8,7 +10,7 @@
 struct swing {
   auto process(cca::beat now) -> cca::out<"target", leg_target> {
     const double t = 1e-9 * static_cast<double>(now.time());
-    return Eigen::Vector2d(0.3 * std::sin(3 * t), -0.5);
+    return Eigen::Vector2d(0.3 * cca::math::sin(3 * t), -0.5);
   }
 };
 // [planner end]

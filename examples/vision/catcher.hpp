@@ -10,6 +10,8 @@
 #include <cmath>
 #include <tuple>
 
+#include <cca/base/math.hpp>
+
 #include "table.hpp"
 
 namespace vision {
@@ -25,7 +27,7 @@ public:
       ++spots;
       remember(seen, spot.vector());
     }
-    return std::asin(std::clamp(crossing() / reach, -0.95, 0.95));
+    return cca::math::asin(std::clamp(crossing() / reach, -0.95, 0.95));
   }
 
   double ages = 0;  // s, of all spots when they arrived

@@ -39,7 +39,7 @@ public:
       speed[1] = -speed[1];
     }
     if (at[0] > 0) return;
-    caught += std::abs(at[1] - reach * std::sin(angle)) < hand_radius;
+    caught += std::abs(at[1] - reach * cca::math::sin(angle)) < hand_radius;
     throw_next();
   }
 

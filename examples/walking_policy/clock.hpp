@@ -5,7 +5,6 @@
 //   in  "phase"       gait_phase
 //   in  "amplitude"   gait_amplitude
 //   out "clock"       stride_clock
-#include <cmath>
 
 #include <cca/cca.hpp>
 
@@ -17,7 +16,7 @@ struct clock {
   auto process(cca::in<"phase", trot::gait_phase> phase, cca::in<"amplitude", trot::gait_amplitude> amplitude)
       -> cca::out<"clock", stride_clock> {
     const double at = phase[trot::stride{}];
-    return Eigen::Vector3d(std::cos(at), std::sin(at), amplitude[trot::stride{}]);
+    return Eigen::Vector3d(cca::math::cos(at), cca::math::sin(at), amplitude[trot::stride{}]);
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include <cca/base/math.hpp>
 #include <cca/sim/oncilla.hpp>
 #include <cca/sim/oncilla/kinematics.hpp>
 #include <cca/sim/oncilla/world.hpp>
@@ -43,7 +44,8 @@ struct oncilla_scene {
       const double tilt = sim::side_of(i) * targets[i].abduction;
       const std::array<double, 3> at{
           (sim::is_front(i) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips + foot.x,
-          sim::side_of(i) * m.hip_y - foot.z * std::sin(tilt), -m.trunk_above_hips + foot.z * std::cos(tilt)};
+          sim::side_of(i) * m.hip_y - foot.z * cca::math::sin(tilt),
+          -m.trunk_above_hips + foot.z * cca::math::cos(tilt)};
       for (std::size_t k = 0; k < 3; ++k)
         *to++ = s.bodies[0].position[k] + r[4 * k] * at[0] + r[4 * k + 1] * at[1] + r[4 * k + 2] * at[2];
     }

@@ -10,6 +10,7 @@ import unittest
 import compilers
 import components
 import drives
+import elementary
 import figures
 import finite
 import includes
@@ -230,6 +231,33 @@ class Snippets(Tree):
         self.write("a.cpp", self.SOURCE)
         page = self.write("README.md", "Write `<!-- from a.cpp: part -->`.\n\n<!-- from a.cpp: part -->\n\nText.\n")
         self.assertEqual(len(list(snippets.check(page, self.root, False))), 1)
+
+
+class Elementary(Tree):
+    def lines(self, code):
+        return [line for line, _ in elementary.calls(code)]
+
+    def test_calls(self):
+        for wrong in ("x = std::sin(y);", "std::atan2(a, b)", "return f(std::powf(a, 2));", "std::transform(a, b, c, std::tanh<double>);", "using std::exp;",
+                      "x = 2 *::hypot(a, b);", "x = __builtin_log(y);", "return sin(x);", "x = -cos(y) + 1;", "h = (A * x).array().tanh();", "h = x.array().exp() + 1;",
+                      "Eigen::AngleAxisd(a, b)", "Eigen::Quaterniond q(Eigen::Matrix3d(m));", "a.slerp(t, b)", "std::normal_distribution<double> noise;"):
+            self.assertEqual(self.lines("\n" + wrong), [2], wrong)
+        for right in ("x = math::sin(y);", "return cca::math::pow(a, 2);", "x = std::sqrt(y) + std::abs(std::floor(z));", "// std::sin(x)", "/* std::sin(x)\n*/",
+                      'm << "write std::exp(x)";', "return rotation::exp(v);", "inline vector4<Scalar> exp(const vector3<Scalar>& v) {", "template <class Quaternion>",
+                      "auto remainder = 3;", "std::expected<int>", "std::log_level x;", "find.exp(x, 1)", "cosine(x)"):
+            self.assertEqual(self.lines(right), [], right)
+
+    def test_files(self):
+        for name in elementary.OUTSIDE:
+            self.write(name, "x = std::sin(y);")
+        self.write("include/cca/base/math/angles.hpp", "x = std::sin(y);")
+        self.write("include/cca/a.hpp", "x = math::sin(y);")
+        self.assertEqual(list(elementary.problems(self.root)), [])
+        self.write("include/cca/a.hpp", "\nx = std::sin(y);")
+        self.write(next(iter(elementary.OUTSIDE)), "x = 1;")
+        found = list(elementary.problems(self.root))
+        self.assertEqual(len(found), 2, found)
+        self.assertTrue(found[0].startswith("include/cca/a.hpp:2: std::sin "))
 
 
 class Version(Tree):

@@ -27,6 +27,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <cca/base/math.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
@@ -70,7 +71,8 @@ struct elm_function {
     const Eigen::Map<const Eigen::Matrix<double, Hidden, I>> A(random.data());
     const Eigen::Map<const Eigen::Matrix<double, Hidden, 1>> b(random.data() + Hidden * I);
     activity h;
-    h.template head<Hidden>() = (p.spread * (A * (x - p.centre).cwiseQuotient(p.width) + b)).array().tanh();
+    h.template head<Hidden>() = p.spread * (A * (x - p.centre).cwiseQuotient(p.width) + b);
+    for (int i = 0; i < Hidden; ++i) h[i] = math::tanh(h[i]);
     h[Hidden] = 1;
     return h;
   }

@@ -13,10 +13,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <cca/base/math.hpp>
 #include <cca/mapping/serial_chain.hpp>
 
 namespace cca {
@@ -57,7 +57,8 @@ inline void turn_about(matrix3& m, const body_link& l, double c, double s) {
 }
 
 inline void turn_about(matrix3& m, const body_link& l, double angle) {
-  turn_about(m, l, std::cos(angle), std::sin(angle));
+  const auto by = math::sine_and_cosine(angle);
+  turn_about(m, l, by.cosine, by.sine);
 }
 
 // A link in the base: its frame and the axis of its joint.
@@ -99,7 +100,8 @@ template <std::size_t Count, class Coordinates>
       [&](std::size_t i) -> joint_turn {
         const double angle = links[i].ratio * q[links[i].coordinate] + links[i].rest;
         if (links[i].kind == joint_kind::prismatic) return {angle, 0};
-        return {std::cos(angle), std::sin(angle)};
+        const auto by = math::sine_and_cosine(angle);
+        return {by.cosine, by.sine};
       },
       placed);
 }
@@ -125,26 +127,7 @@ inline void fill_jacobian(const std::array<body_link, Count>& links,
   }
 }
 
-// The quaternion of a rotation matrix. Divides by the largest of the four squares, for precision (Shepperd
-// 1978).
-inline vector4 quaternion_of(const matrix3& m) {
-  const double trace = m(0, 0) + m(1, 1) + m(2, 2);
-  int largest = 3;
-  double most = trace;
-  for (int i = 0; i < 3; ++i)
-    if (m(i, i) > most) largest = i, most = m(i, i);
-  vector4 q;
-  if (largest == 3) {
-    q << m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), 1 + trace;
-  } else {
-    const int i = largest, j = (i + 1) % 3, k = (i + 2) % 3;
-    q[i] = 1 + 2 * m(i, i) - trace;
-    q[j] = m(j, i) + m(i, j);
-    q[k] = m(k, i) + m(i, k);
-    q[3] = m(k, j) - m(j, k);
-  }
-  return rotation::normalised(q);
-}
+inline vector4 quaternion_of(const matrix3& m) { return rotation::from_matrix<double>(m); }
 
 // Angles in the order of the chain's axes, from and to a space with these axes in any order.
 template <class Wanted, class Space>

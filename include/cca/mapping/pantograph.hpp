@@ -27,6 +27,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include <cca/base/math.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/mapping/reaching.hpp>
@@ -99,7 +100,7 @@ struct plane_leg {
     search one{*this, x, z, hip_before, knee_before};
     const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);
     if (std::abs(cosine) <= 1)
-      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) one.try_knee(knee);
+      for (const double knee : {math::acos(cosine), -math::acos(cosine)}) one.try_knee(knee);
     if (one.best.square > 1e-24)
       for (const double knee : {knee_low, knee_high, 0.0, std::numbers::pi, -std::numbers::pi})
         if (std::isfinite(knee)) one.try_knee(knee);
@@ -113,26 +114,29 @@ private:
   struct search {
     const plane_leg& leg;
     double x, z, hip_before, knee_before;
-    double towards = std::atan2(x, -z);
+    double towards = math::atan2(x, -z);
     answer best{};
 
     // With this knee, the hip that turns the foot to the target.
     [[gnu::always_inline]] void try_knee(double knee) {
       if (knee < leg.knee_low || knee > leg.knee_high) return;
-      keep_better(nearest_in(towards + std::atan2(leg.b * std::sin(knee), leg.a + leg.b * std::cos(knee)),
+      const auto bent = math::sine_and_cosine(knee);
+      keep_better(nearest_in(towards + math::atan2(leg.b * bent.sine, leg.a + leg.b * bent.cosine),
                              leg.hip_low, leg.hip_high),
                   knee);
     }
     // With this hip, the knee that turns the middle segment to the target.
     [[gnu::always_inline]] void try_hip(double hip) {
       if (!std::isfinite(hip)) return;
-      keep_better(hip, nearest_in(hip - std::atan2(x - leg.a * std::sin(hip), -(z + leg.a * std::cos(hip))),
+      const auto upper = math::sine_and_cosine(hip);
+      keep_better(hip, nearest_in(hip - math::atan2(x - leg.a * upper.sine, -(z + leg.a * upper.cosine)),
                                   leg.knee_low, leg.knee_high));
     }
 
     [[gnu::always_inline]] void keep_better(double hip, double knee) {
-      const double dx = leg.a * std::sin(hip) + leg.b * std::sin(hip - knee) - x,
-                   dz = -leg.a * std::cos(hip) - leg.b * std::cos(hip - knee) - z;
+      const auto upper = math::sine_and_cosine(hip), middle = math::sine_and_cosine(hip - knee);
+      const double dx = leg.a * upper.sine + leg.b * middle.sine - x,
+                   dz = -leg.a * upper.cosine - leg.b * middle.cosine - z;
       const double square = dx * dx + dz * dz,
                    change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
       constexpr double same = 1e-24;  // m^2: then the answer that moves the joints less
@@ -168,17 +172,18 @@ public:
     answer best{near, std::numeric_limits<double>::infinity(), reaching::nearest};
     if constexpr (abducted) {
       const vector3 p = in_hip(wanted);
-      const double radius = std::hypot(p[1], p[2]);
+      const double radius = math::hypot(p[1], p[2]);
       // The tilt that turns the plane to the target, for a foot below the hip and above it.
-      const double first = radius > 0 ? std::atan2(p[1], -p[2]) : 0,
-                   second = radius > 0 ? std::atan2(-p[1], p[2]) : 0;
+      const double first = radius > 0 ? math::atan2(p[1], -p[2]) : 0,
+                   second = radius > 0 ? math::atan2(-p[1], p[2]) : 0;
       const double side = geometry.side < 0 ? -1 : 1;
       const double low = side > 0 ? limits::lower(0) : -limits::upper(0),
                    high = side > 0 ? limits::upper(0) : -limits::lower(0);
       for (const double towards : {first, second}) {
         const double tilt = nearest_in(towards, low, high);
-        const double across = p[1] * std::cos(tilt) + p[2] * std::sin(tilt),
-                     up = p[2] * std::cos(tilt) - p[1] * std::sin(tilt);
+        const auto turn = math::sine_and_cosine(tilt);
+        const double across = p[1] * turn.cosine + p[2] * turn.sine,
+                     up = p[2] * turn.cosine - p[1] * turn.sine;
         const auto found = leg.solve(p[0], up, near[hip], near[knee]);
         const double distance = std::sqrt(found.square + across * across);
         if (distance < best.distance - 1e-12)

@@ -21,6 +21,7 @@
 #include <limits>
 #include <vector>
 
+#include <cca/base/math.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
@@ -141,10 +142,10 @@ private:
       Eigen::Matrix<double, K, 1> each;
       for (int k = 0; k < K; ++k)
         each[k] =
-            std::log(p.priors[k]) +
+            math::log(p.priors[k]) +
             detail::log_density<size>(points[t] - p.means.col(k), p.covariances[static_cast<std::size_t>(k)]);
       const double all = detail::log_sum(each);
-      r.col(static_cast<Eigen::Index>(t)) = (each.array() - all).exp();
+      for (int k = 0; k < K; ++k) r(k, static_cast<Eigen::Index>(t)) = math::exp(each[k] - all);
       sum += all;
     }
     return sum / static_cast<double>(points.size());

@@ -34,6 +34,7 @@
 #include <limits>
 #include <vector>
 
+#include <cca/base/math.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/motor/equations/gaussian_mixture.hpp>
@@ -205,7 +206,8 @@ private:
       const double top = each.maxCoeff();
       sum += top;
       // Above zero, so that no state is impossible where all the likely ones are.
-      density.col(static_cast<Eigen::Index>(t)) = (each.array() - top).exp().max(1e-280);
+      for (int k = 0; k < K; ++k)
+        density(k, static_cast<Eigen::Index>(t)) = std::max(math::exp(each[k] - top), 1e-280);
     }
     e.passages.setZero();
     e.beginnings.setZero();
@@ -217,7 +219,7 @@ private:
         const weights predicted =
             t == begin ? p.mixture.priors : weights(p.transitions.transpose() * e.state.col(t - 1));
         const weights seen = predicted.cwiseProduct(density.col(t));
-        sum += std::log(seen.sum());
+        sum += math::log(seen.sum());
         e.state.col(t) = seen / seen.sum();
       }
       // Backward: `later` is proportional to P(examples after t | state at t).

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <tuple>
 
+#include <cca/base/math.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
@@ -77,7 +78,7 @@ struct hopf {
 private:
   result published(double radius, input_status inputs) const {
     const hopf_ode::state& x = solver.get();
-    return {std::atan2(x[1], x[0]), radius, status_of(inputs, status.get())};
+    return {math::atan2(x[1], x[0]), radius, status_of(inputs, status.get())};
   }
 
   ode_solver<hopf_ode, Integrator> solver;

@@ -6,8 +6,7 @@
 // order parameter of coupled oscillators, Kuramoto 1984).
 #pragma once
 
-#include <cmath>
-
+#include <cca/base/math.hpp>
 #include <cca/space/methods/circle.hpp>
 #include <cca/space/methods/linear.hpp>
 
@@ -56,20 +55,20 @@ struct phase : detail::linear_domain {
     }
 
     // Over the axes, in [0, 2 pi). Meaningless if the phases balance each other (coherence 0).
-    double mean() const { return wrap_turn(std::atan2(sine(), cosine())); }
+    double mean() const { return wrap_turn(math::atan2(sine(), cosine())); }
 
     // Over the axes: 1 if all are equal, 0 if they balance each other.
-    double coherence() const { return std::hypot(sine(), cosine()) / Self::space::size; }
+    double coherence() const { return math::hypot(sine(), cosine()) / Self::space::size; }
 
   private:
     double sine() const {
       double sum = 0;
-      for (int i = 0; i < Self::space::size; ++i) sum += std::sin(this->self().vector().coeff(i));
+      for (int i = 0; i < Self::space::size; ++i) sum += math::sin(this->self().vector().coeff(i));
       return sum;
     }
     double cosine() const {
       double sum = 0;
-      for (int i = 0; i < Self::space::size; ++i) sum += std::cos(this->self().vector().coeff(i));
+      for (int i = 0; i < Self::space::size; ++i) sum += math::cos(this->self().vector().coeff(i));
       return sum;
     }
   };

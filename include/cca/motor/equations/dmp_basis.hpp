@@ -13,10 +13,10 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 
+#include <cca/base/math.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/eigen.hpp>
 
@@ -68,11 +68,11 @@ template <int N>
 activations<N> discrete_activations(double x, double decay) {
   static_assert(detail::holds_or_tells<(N >= 2), detail::too_few_functions<N>>::value);
   activations<N> psi;
-  const double ratio = std::exp(-decay / (N - 1));
+  const double ratio = math::exp(-decay / (N - 1));
   double centre = 1;
   for (int i = 0; i < N; ++i) {
     const double off = (x - centre) / (centre * (1 - ratio));
-    psi[i] = std::exp(-off * off);
+    psi[i] = math::exp(-off * off);
     centre *= ratio;
   }
   const double sum = psi.sum();
@@ -84,10 +84,11 @@ activations<N> discrete_activations(double x, double decay) {
 // One sine and one cosine in all: the addition theorem gives cos(phi - c_i) of the next centre.
 template <int N>
 [[gnu::always_inline]] inline activations<N> rhythmic_activations(double phase) {
-  const double turn_cos = std::cos(2 * std::numbers::pi / N), turn_sin = std::sin(2 * std::numbers::pi / N);
+  constexpr auto turn = math::sine_and_cosine(2 * std::numbers::pi / N);
+  constexpr double turn_cos = turn.cosine, turn_sin = turn.sine;
   constexpr double least = -700;  // with more than 140 functions: negligible
   activations<N> psi;
-  double cosine = std::cos(phase), sine = std::sin(phase);
+  auto [sine, cosine] = math::sine_and_cosine(phase);
   for (int i = 0; i < N; ++i) {
     psi[i] = least > 2.5 * N * (cosine - 1) ? least : 2.5 * N * (cosine - 1);
     const double next = cosine * turn_cos + sine * turn_sin;

@@ -20,13 +20,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string_view>
 
 #include <Eigen/Cholesky>
 
+#include <cca/base/math.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/component/field_types.hpp>
@@ -74,13 +74,15 @@ struct gaussian_mixture {
 
 namespace detail {
 
+inline constexpr double log_of_turn = math::log(2 * std::numbers::pi);
+
 // log N(x; m, S), where off = x - m.
 template <int N>
 double log_density(const Eigen::Matrix<double, N, 1>& off, const Eigen::Matrix<double, N, N>& S) {
   const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(S);
   double half_log_determinant = 0;
-  for (int i = 0; i < N; ++i) half_log_determinant += std::log(factor.matrixLLT()(i, i));
-  return -0.5 * off.dot(factor.solve(off)) - half_log_determinant - 0.5 * N * std::log(2 * std::numbers::pi);
+  for (int i = 0; i < N; ++i) half_log_determinant += math::log(factor.matrixLLT()(i, i));
+  return -0.5 * off.dot(factor.solve(off)) - half_log_determinant - 0.5 * N * log_of_turn;
 }
 
 // What the learners of Gaussians add to each variance.
@@ -105,7 +107,9 @@ Eigen::Matrix<double, N, N> above_floor(const Eigen::Matrix<double, N, N>& covar
 template <class Logarithms>
 double log_sum(const Logarithms& logarithms) {
   const double top = logarithms.maxCoeff();
-  return top + std::log((logarithms.array() - top).exp().sum());
+  double sum = 0;
+  for (int i = 0; i < logarithms.size(); ++i) sum += math::exp(logarithms[i] - top);
+  return top + math::log(sum);
 }
 
 // The logarithm of the likelihood of an input, with these priors.
@@ -116,8 +120,8 @@ double log_likelihood(const gaussian_mixture<I, O, K>& model,
   Eigen::Matrix<double, K, 1> each;
   for (int k = 0; k < K; ++k)
     each[k] =
-        std::log(priors[k]) + log_density<I>(x - model.means.col(k).template head<I>(),
-                                             model.block(model.covariances[static_cast<std::size_t>(k)]));
+        math::log(priors[k]) + log_density<I>(x - model.means.col(k).template head<I>(),
+                                              model.block(model.covariances[static_cast<std::size_t>(k)]));
   return log_sum(each);
 }
 
@@ -149,14 +153,15 @@ regression<O, K> regress(const gaussian_mixture<I, O, K>& model,
         difference(x, Eigen::Matrix<double, I, 1>(model.means.col(k).template head<I>()));
     const Eigen::Matrix<double, I, O> slope = factor.solve(S.template topRightCorner<I, O>());
     double half_log_determinant = 0;
-    for (int i = 0; i < I; ++i) half_log_determinant += std::log(factor.matrixLLT()(i, i));
-    logarithm[k] = std::log(priors[k]) - half_log_determinant - 0.5 * off.dot(factor.solve(off));
+    for (int i = 0; i < I; ++i) half_log_determinant += math::log(factor.matrixLLT()(i, i));
+    logarithm[k] = math::log(priors[k]) - half_log_determinant - 0.5 * off.dot(factor.solve(off));
     answers.col(k) = model.means.col(k).template tail<O>() + slope.transpose() * off;
     spreads[static_cast<std::size_t>(k)] =
         S.template bottomRightCorner<O, O>() - slope.transpose() * S.template topRightCorner<I, O>();
   }
   regression<O, K> result;
-  result.responsibilities = (logarithm.array() - logarithm.maxCoeff()).exp();
+  const double top = logarithm.maxCoeff();
+  for (int k = 0; k < K; ++k) result.responsibilities[k] = math::exp(logarithm[k] - top);
   result.responsibilities /= result.responsibilities.sum();
   result.mean = answers * result.responsibilities;
   result.covariance.setZero();

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <cca/base/math.hpp>
 #include <cca/adaptive/ode.hpp>
 
 namespace cca {
@@ -40,13 +41,13 @@ struct hopf_ode {
 
   // With s = 2 c m t: r^2 = r0^2 e^s / (1 + r0^2 2 c t (e^s - 1) / s), both parts divided by e^s if s > 0.
   static state flow(const state& x, const input& u, const parameters& p, double seconds) {
-    const double s = 2 * p.convergence * u[0] * std::abs(u[0]) * seconds, falling = std::exp(-std::abs(s)),
-                 share = s == 0 ? 1 : -std::expm1(-std::abs(s)) / std::abs(s);
+    const double s = 2 * p.convergence * u[0] * std::abs(u[0]) * seconds, falling = math::exp(-std::abs(s)),
+                 share = s == 0 ? 1 : -math::expm1(-std::abs(s)) / std::abs(s);
     const double pull = x.dot(x) * 2 * p.convergence * seconds * share;
     if (!(pull + falling > 0)) return x;  // the origin is an equilibrium
     const double scale = std::sqrt(s > 0 ? 1 / (falling + pull) : falling / (1 + pull));
-    const double angle = 2 * std::numbers::pi * u[1] * seconds, along = scale * std::cos(angle),
-                 around = scale * std::sin(angle);
+    const auto turn = math::sine_and_cosine(2 * std::numbers::pi * u[1] * seconds);
+    const double along = scale * turn.cosine, around = scale * turn.sine;
     return {along * x[0] - around * x[1], along * x[1] + around * x[0]};
   }
 };

@@ -13,9 +13,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include <cca/base/math.hpp>
 #include <cca/adaptive/ode.hpp>
 
 namespace cca {
@@ -47,7 +47,7 @@ struct oscillator_network_ode {
       double drawn = 2 * std::numbers::pi * u[i];
       for (int j = 0; j < N; ++j)
         if (p.weights(i, j) != 0)
-          drawn += x[N + j] * p.weights(i, j) * std::sin(x[j] - x[i] - p.phases(i, j));
+          drawn += x[N + j] * p.weights(i, j) * math::sin(x[j] - x[i] - p.phases(i, j));
       rate[i] = drawn;
       rate[N + i] = x[2 * N + i];
       rate[2 * N + i] = p.convergence * (p.convergence / 4 * (u[N + i] - x[N + i]) - x[2 * N + i]);

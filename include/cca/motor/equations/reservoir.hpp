@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/base/math.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca {
@@ -72,7 +73,7 @@ public:
       double sum = bias[i];
       for (int c = 0; c < Connections; ++c) sum += weight[at(i, c)] * x[from[at(i, c)]];
       for (int d = 0; d < D; ++d) sum += back(i, d) * y[d];
-      next[i] = (1 - leak) * x[i] + leak * std::tanh(sum);
+      next[i] = (1 - leak) * x[i] + leak * math::tanh(sum);
     }
     x = next;
   }
@@ -104,9 +105,9 @@ private:
       const double length = std::sqrt(v.dot(v));
       if (!(length > 0)) return 1;
       v /= length;
-      if (k >= 100) growth += std::log(length);
+      if (k >= 100) growth += math::log(length);
     }
-    return std::exp(growth / 400);
+    return math::exp(growth / 400);
   }
 
   std::array<int, static_cast<std::size_t>(N* Connections)> from{};

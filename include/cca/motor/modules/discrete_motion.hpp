@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include <cca/base/math.hpp>
 #include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/module/three_in_a_row.hpp>
 #include <cca/adaptive/recursive_least_squares.hpp>
@@ -121,7 +122,7 @@ public:
     const double tau = seconds * static_cast<double>(movement.size() - 1);
     std::vector<example<model>> all;
     for (std::size_t i = 1; i + 1 < movement.size(); ++i)
-      all.push_back({typename model::input(std::exp(-decay * static_cast<double>(i) * seconds / tau)),
+      all.push_back({typename model::input(math::exp(-decay * static_cast<double>(i) * seconds / tau)),
                      wanted(movement[i - 1], movement[i], movement[i + 1], movement.front(), movement.back(),
                             seconds, tau, p)});
     return all;
@@ -166,7 +167,7 @@ private:
       showing = false;
     }
     const double tau = std::max(1e-3, seconds);
-    if (showing && tau <= largest_input) x *= std::exp(-decay * dt / tau);
+    if (showing && tau <= largest_input) x *= math::exp(-decay * dt / tau);
     if (!teach.listens() || !shown || !shown.fresh() || !detail::all_finite(shown.vector()) ||
         !detail::all_finite(goal) || !(tau <= largest_input)) {
       seen.interrupt();
@@ -179,7 +180,7 @@ private:
     }
     if (!seen.add({shown.vector(), goal, tau, x})) return;
     const moment& middle = seen[1];
-    if (middle.x < std::exp(-decay)) return;
+    if (middle.x < math::exp(-decay)) return;
     teach(typename model::input(middle.x),
           wanted(seen[0].y, middle.y, seen[2].y, first, middle.goal, dt, middle.tau, p));
   }

@@ -22,6 +22,7 @@
 
 #include <cmath>
 
+#include <cca/base/math.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 
 namespace cca::detail {
@@ -34,7 +35,7 @@ struct spring_pull {
 // What a torque along the changes of a rotation vector is about the axes: J^-T, J the left Jacobian.
 inline vector3 torque_of_gradient(const vector3& r, const vector3& gradient) {
   const double square = r.dot(r), angle = std::sqrt(square);
-  const double c = angle < 1e-3 ? 1.0 / 12 : (1 - 0.5 * angle / std::tan(0.5 * angle)) / square;
+  const double c = angle < 1e-3 ? 1.0 / 12 : (1 - 0.5 * angle / math::tan(0.5 * angle)) / square;
   const vector3 once = cross(r, gradient);
   return gradient + 0.5 * once + c * cross(r, once);
 }

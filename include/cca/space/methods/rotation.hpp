@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include <cca/base/math.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca::rotation {
@@ -69,23 +70,25 @@ inline vector4<Scalar> canonical(const vector4<Scalar>& q) {
 // In [0, pi].
 template <class Scalar = double>
 inline Scalar angle(const vector4<Scalar>& q) {
-  return 2 * std::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
+  return 2 * math::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
 }
 
 // By `angle` rad about an axis of any length but 0.
 template <class Scalar = double>
 inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
   const Scalar length = std::sqrt(axis.dot(axis));
-  const Scalar s = std::sin(angle / 2) / length;
-  return {s * axis[0], s * axis[1], s * axis[2], std::cos(angle / 2)};
+  const auto half = math::sine_and_cosine(angle / 2);
+  const Scalar s = half.sine / length;
+  return {s * axis[0], s * axis[1], s * axis[2], half.cosine};
 }
 
 // From a rotation vector: its direction is the axis, its length the angle.
 template <class Scalar = double>
 inline vector4<Scalar> exp(const vector3<Scalar>& v) {
   const Scalar square = v.dot(v), angle = std::sqrt(square);
-  const Scalar s = angle < 1e-4 ? 0.5 - square / 48 : std::sin(angle / 2) / angle;
-  return {s * v[0], s * v[1], s * v[2], std::cos(angle / 2)};
+  const auto half = math::sine_and_cosine(angle / 2);
+  const Scalar s = angle < 1e-4 ? 0.5 - square / 48 : half.sine / angle;
+  return {s * v[0], s * v[1], s * v[2], half.cosine};
 }
 
 // The rotation vector, of length at most pi.
@@ -94,31 +97,32 @@ inline vector3<Scalar> log(const vector4<Scalar>& q) {
   const Scalar w = q[3] < 0 ? -q[3] : q[3], sign = q[3] < 0 ? -1 : 1;
   const vector3<Scalar> v = q.template head<3>();
   const Scalar n = std::sqrt(v.dot(v));
-  return (n < 1e-10 ? 2.0 : 2 * std::atan2(n, w) / n) * sign * v;
+  return (n < 1e-10 ? 2.0 : 2 * math::atan2(n, w) / n) * sign * v;
 }
 
 // Roll about x, then pitch about the old y, then yaw about the old z.
 template <class Scalar = double>
 inline vector4<Scalar> from_roll_pitch_yaw(Scalar roll, Scalar pitch, Scalar yaw) {
-  const vector4<Scalar> r{std::sin(roll / 2), 0, 0, std::cos(roll / 2)},
-      p{0, std::sin(pitch / 2), 0, std::cos(pitch / 2)}, y{0, 0, std::sin(yaw / 2), std::cos(yaw / 2)};
-  return product(y, product(p, r));
+  const auto x = math::sine_and_cosine(roll / 2), y = math::sine_and_cosine(pitch / 2),
+             z = math::sine_and_cosine(yaw / 2);
+  const vector4<Scalar> r{x.sine, 0, 0, x.cosine}, p{0, y.sine, 0, y.cosine}, w{0, 0, z.sine, z.cosine};
+  return product(w, product(p, r));
 }
 
 // From the entries of the rotation matrix. At a pitch of +-pi/2 roll and yaw rotate about the same axis, and
 // only their difference (at +pi/2) or sum (at -pi/2) is defined.
 template <class Scalar = double>
 inline Scalar roll(const vector4<Scalar>& q) {
-  return std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
+  return math::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
 }
 template <class Scalar = double>
 inline Scalar pitch(const vector4<Scalar>& q) {
   const Scalar s = 2 * (q[3] * q[1] - q[2] * q[0]);
-  return std::asin(s > 1 ? 1 : s < -1 ? -1 : s);
+  return math::asin(s > 1 ? 1 : s < -1 ? -1 : s);
 }
 template <class Scalar = double>
 inline Scalar yaw(const vector4<Scalar>& q) {
-  return std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
+  return math::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
 }
 
 // The shorter way at constant speed: a at t = 0, b at t = 1 (or -b, which is the same rotation).
@@ -126,12 +130,12 @@ template <class Scalar = double>
 inline vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b, Scalar t) {
   const Scalar sign = a.dot(b) < 0 ? -1 : 1;
   const vector4<Scalar> difference = a - sign * b, sum = a + sign * b;
-  const Scalar angle = 2 * std::atan2(std::sqrt(difference.dot(difference)), std::sqrt(sum.dot(sum)));
+  const Scalar angle = 2 * math::atan2(std::sqrt(difference.dot(difference)), std::sqrt(sum.dot(sum)));
   if (angle < 1e-6)
     return normalised(vector4<Scalar>(
         (1 - t) * a + t * sign * b));  // here sin(angle) is too small to divide by; the chord equals the arc
-  const Scalar s = std::sin(angle);
-  return (std::sin((1 - t) * angle) / s) * a + (sign * std::sin(t * angle) / s) * b;
+  const Scalar s = math::sin(angle);
+  return (math::sin((1 - t) * angle) / s) * a + (sign * math::sin(t * angle) / s) * b;
 }
 
 template <class Scalar = double>
@@ -143,6 +147,27 @@ inline Eigen::Matrix<Scalar, 3, 3> matrix(const vector4<Scalar>& q) {
     m.col(i) = rotate(q, e);
   }
   return m;
+}
+
+// Of a rotation matrix. Divides by the largest of the four squares, for precision (Shepperd 1978).
+template <class Scalar = double>
+inline vector4<Scalar> from_matrix(const Eigen::Matrix<Scalar, 3, 3>& m) {
+  const Scalar trace = m(0, 0) + m(1, 1) + m(2, 2);
+  int largest = 3;
+  Scalar most = trace;
+  for (int i = 0; i < 3; ++i)
+    if (m(i, i) > most) largest = i, most = m(i, i);
+  vector4<Scalar> q;
+  if (largest == 3) {
+    q << m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), 1 + trace;
+  } else {
+    const int i = largest, j = (i + 1) % 3, k = (i + 2) % 3;
+    q[i] = 1 + 2 * m(i, i) - trace;
+    q[j] = m(j, i) + m(i, j);
+    q[k] = m(k, i) + m(i, k);
+    q[3] = m(k, j) - m(j, k);
+  }
+  return normalised(q);
 }
 
 }  // namespace cca::rotation

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <cca/cca.hpp>
 #include <cca/robot/body_pose.hpp>
@@ -34,15 +33,15 @@ struct circle {
                  growth = s < 1 ? p.radius * 6 * s * (1 - s) / p.seconds : 0;
     cca::out<"pose", hand> pose;
     cca::out<"motion", hand_motion> motion;
-    const Eigen::Vector3d way(0, std::sin(angle), 1 - std::cos(angle)),
-        change(0, std::cos(angle), std::sin(angle));
-    pose.vector() << start.at + size * way, start_turn.coeffs();
+    const auto [sine, cosine] = cca::math::sine_and_cosine(angle);
+    const Eigen::Vector3d way(0, sine, 1 - cosine), change(0, cosine, sine);
+    pose.vector() << start.at + size * way, start_turn;
     motion.vector() << 0, 0, 0, size * rate * change + growth * way;
     return {pose, motion};
   }
 
   cca::rigid start = cca::body_pose<body>(angles::vector_type::Map(description::start.data())).tip<"arm">();
-  Eigen::Quaterniond start_turn{start.turn};
+  Eigen::Vector4d start_turn = cca::rotation::from_matrix(start.turn);
 };
 
 // The hand is a spring and a damper about the way. Its parameters: `stiffness` about and along x, y, z

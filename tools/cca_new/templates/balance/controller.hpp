@@ -1,8 +1,6 @@
 // The components: where the cart should go, and how it keeps the pole upright.
 #pragma once
 
-#include <cmath>
-
 #include <cca/cca.hpp>
 
 #include "robot.hpp"
@@ -25,7 +23,7 @@ struct change_sides {
 
   auto process(cca::beat now) -> cca::out<"place", cart_place> {
     const double time = 1e-9 * static_cast<double>(now.time());
-    const double side = std::fmod(time, 2 * p.seconds) < p.seconds ? 1 : -1;
+    const double side = cca::math::fmod(time, 2 * p.seconds) < p.seconds ? 1 : -1;
     return side * p.distance;
   }
 };

@@ -109,11 +109,11 @@ private:
   // 1 is foremost, where a foot lands; -1 is hindmost.
   double sweep(double part) const {
     if (part < p.duty) return 1 - 2 * part / p.duty;
-    return -std::cos(cca::pi * (part - p.duty) / (1 - p.duty));
+    return -cca::math::cos(cca::pi * (part - p.duty) / (1 - p.duty));
   }
   double lifted(double part) const {
     if (part < p.duty) return 0;
-    const double sine = std::sin(cca::pi * (part - p.duty) / (1 - p.duty));
+    const double sine = cca::math::sin(cca::pi * (part - p.duty) / (1 - p.duty));
     return sine * sine;
   }
 };

@@ -1,7 +1,6 @@
 // The components: where the joints should go, and the torques that take them there.
 #pragma once
 
-#include <cmath>
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -26,8 +25,8 @@ struct sway {
 
   auto process(cca::beat now) -> std::tuple<cca::out<"angles", angles>, cca::out<"velocities", velocities>> {
     const double rate = 2 * cca::pi / p.seconds, phase = rate * 1e-9 * static_cast<double>(now.time());
-    return {angles::vector_type(from + p.size * way * (1 - std::cos(phase)) / 2),
-            velocities::vector_type(p.size * way * rate * std::sin(phase) / 2)};
+    return {angles::vector_type(from + p.size * way * (1 - cca::math::cos(phase)) / 2),
+            velocities::vector_type(p.size * way * rate * cca::math::sin(phase) / 2)};
   }
 
 private:

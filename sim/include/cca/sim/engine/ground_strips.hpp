@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <ode/ode.h>
 
+#include <cca/base/math.hpp>
 #include <cca/sim/engine/engine.hpp>
 #include <cca/sim/engine/terrain.hpp>
 
@@ -42,7 +42,7 @@ private:
 
   // Makes the top of the box the ground from `begin` to `end`.
   void put_box(const ground_strip& strip, double begin, double end, double y) const {
-    const double c = std::cos(strip.pitch), n = std::sin(strip.pitch);
+    const auto [n, c] = math::sine_and_cosine(strip.pitch);
     const double length = (end - begin) / c, along = length / 2, down = depth / 2;
     dGeomBoxSetLengths(box_.get(), length, width, depth);
     dGeomSetPosition(box_.get(), begin + along * c + down * n, y, strip.height(begin) + along * n - down * c);

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <utility>
 
+#include <cca/base/math.hpp>
 #include <cca/sim/engine/refused_number.hpp>
 
 namespace cca::sim {
@@ -28,7 +29,7 @@ struct ground_strip {
   double begin, end;  // x, m
   double edge_x, edge_z, pitch;
 
-  double height(double x) const { return edge_z + (x - edge_x) * std::tan(pitch); }
+  double height(double x) const { return edge_z + (x - edge_x) * math::tan(pitch); }
 };
 
 class terrain {

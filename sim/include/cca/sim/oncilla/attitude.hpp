@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include <cca/base/math.hpp>
 
 namespace cca::sim {
 
@@ -20,9 +21,9 @@ struct roll_pitch_yaw {
 };
 
 inline roll_pitch_yaw attitude(const quaternion& q) {
-  return {std::atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x * q.x + q.y * q.y)),
-          std::asin(std::clamp(2 * (q.w * q.y - q.z * q.x), -1.0, 1.0)),
-          std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))};
+  return {math::atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x * q.x + q.y * q.y)),
+          math::asin(std::clamp(2 * (q.w * q.y - q.z * q.x), -1.0, 1.0)),
+          math::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))};
 }
 
 }  // namespace cca::sim

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <random>
 
+#include <cca/base/math.hpp>
 #include <cca/sim/oncilla/oncilla_model.hpp>
 #include <cca/sim/robot/model/push.hpp>
 
@@ -51,7 +51,7 @@ struct disturbance {
       p.start = u.between(2.0, std::max(2.0, duration - 1.0));
       p.duration = 0.06;
       const double direction = u.between(0, 2 * std::numbers::pi), strength = u.between(8, 16);
-      p.force = {strength * std::cos(direction), strength * std::sin(direction), 0};
+      p.force = {strength * math::cos(direction), strength * math::sin(direction), 0};
     }
     return d;
   }

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <cca/base/math.hpp>
 #include <cca/robots/oncilla/as_built.hpp>
 #include <cca/sim/oncilla/attitude.hpp>
 #include <cca/sim/oncilla/oncilla_posture.hpp>
@@ -101,7 +102,7 @@ private:
     std::vector<double> q;
     for (const leg_posture& p : posture.legs) {
       lowest =
-          std::min(lowest, std::cos(p.abduction) * sim::foot_position(oncilla_defaults, {p.hip, p.knee}).z);
+          std::min(lowest, math::cos(p.abduction) * sim::foot_position(oncilla_defaults, {p.hip, p.knee}).z);
       q.insert(q.end(), {p.abduction, p.hip, p.knee, 0.0});
     }
     moving_frame base;

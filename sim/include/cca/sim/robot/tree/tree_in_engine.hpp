@@ -26,6 +26,7 @@
 
 #include <ode/ode.h>
 
+#include <cca/base/math.hpp>
 #include <cca/robots/crossing.hpp>
 #include <cca/sim/engine/engine.hpp>
 #include <cca/sim/robot/tree/crossing_joints.hpp>
@@ -300,7 +301,7 @@ private:
   // Of a rotation about the axis of a joint, from (-pi, pi].
   static double angle_about(const cca::detail::body_link& l, const Eigen::Matrix3d& m) {
     const vector twice_sine(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
-    return std::atan2(twice_sine.dot(cca::detail::as_vector(l.axis)), m.trace() - 1);
+    return math::atan2(twice_sine.dot(cca::detail::as_vector(l.axis)), m.trace() - 1);
   }
 
   dJointID parallel(dWorldID world, std::size_t i) const {
