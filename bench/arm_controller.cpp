@@ -274,7 +274,7 @@ struct loop {
       constexpr double r = arm::description::tool_radius;
       const Vector3d centre = cca::rotation::rotate(turn, Vector3d(0, 0, r));
       const double square = force.squaredNorm();
-      const Vector3d on_line = force.cross(torque) / square, off = on_line - centre;
+      const Vector3d on_line = cca::rotation::cross<double>(force, torque) / square, off = on_line - centre;
       const double along = off.dot(force), root = along * along - square * (off.squaredNorm() - r * r);
       const double step = (-along - std::sqrt(std::max(root, 0.0))) / square;
       const Vector3d found = -(off + step * force).normalized();
@@ -334,10 +334,10 @@ struct loop {
     vector6 twist, stiffness, damping = vector6::Zero(), force = vector6::Zero();
   };
   static Vector4d against(const Vector3d& to) {
-    const Vector3d axis = Vector3d::UnitZ().cross(to);
+    const Vector3d axis = cca::rotation::cross<double>({0, 0, 1}, to);
     const double sine = axis.norm();
     if (sine < 1e-9) return {1, 0, 0, 0};
-    return cca::rotation::product(cca::rotation::about(axis, std::atan2(sine, to[2])), Vector4d(1, 0, 0, 0));
+    return cca::rotation::product(cca::rotation::about(axis, cca::math::atan2(sine, to[2])), Vector4d(1, 0, 0, 0));
   }
   double pressure() {
     if (!on_table) {

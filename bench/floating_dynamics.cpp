@@ -45,7 +45,7 @@ struct sines {
   }
   static Eigen::Matrix<double, 2 * n, 1> loops(const state& s) {
     Eigen::Matrix<double, 2 * n, 1> both;
-    for (int i = 0; i < n; ++i) both[i] = std::cos(s.q[i]), both[n + i] = std::sin(s.q[i]);
+    for (int i = 0; i < n; ++i) both[i] = cca::math::cos(s.q[i]), both[n + i] = cca::math::sin(s.q[i]);
     return both;
   }
 };

@@ -380,7 +380,7 @@ struct by_hand {
         }
         cpg_rests.update(radius > ember ? cpg.rate(drive, {convergence}).norm() : 0.0, cpg_settles);
       }
-      phase = std::atan2(cpg.get()[1], cpg.get()[0]);
+      phase = cca::math::atan2(cpg.get()[1], cpg.get()[0]);
 
       // DMP Transformation System.
       cca::detail::input_check read;
@@ -417,7 +417,7 @@ struct by_hand {
       const double ahead = ball[0] - hip[0],
                    beside = ball[1] - hip[1] + cca::sim::side_of(right ? 1 : 0) * heading.inside;
       const double off =
-          seen && ahead > heading.near ? -std::atan2(beside, ahead) : cca::rotation::yaw(body.orientation(k));
+          seen && ahead > heading.near ? -cca::math::atan2(beside, ahead) : cca::rotation::yaw(body.orientation(k));
       if (radius > 0.1) {
         const double largest = heading.drift > 0 ? heading.most / heading.drift : 0.0;
         aside = std::clamp(aside + dt10 * off, -largest, largest);

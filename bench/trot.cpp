@@ -55,7 +55,7 @@ struct by_hand {
 
   // Parameters, as in the components.
   double speed = 0.66, start = 0.2, intercept = 0.191, slope = 1.076;
-  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.68, average = 1, level = 1.2, damp = 0.02,
+  double heading = 1.0, drift = 0.4, most = 0.5, upright = 0.72, average = 1, level = 1.2, damp = 0.02,
          most_lean = 0.5;
   double frequency = 4.0, convergence = 10.0;
   struct leg {
@@ -81,7 +81,7 @@ struct by_hand {
     const double landing = whole * duty;
     const bool in_stance = phase < landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
-    const double cosine = std::cos(pi * (in_stance ? part : 1 + part));
+    const double cosine = cca::math::cos(pi * (in_stance ? part : 1 + part));
     const double swing = -2 * (1 - duty) / duty;
     const double straight =
         in_stance ? 1 - 2 * part : -1 + part * (swing + part * (3 * (2 - swing) + part * 2 * (swing - 2)));
@@ -92,7 +92,7 @@ struct by_hand {
     const bool in_stance = phase <= landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
     const double height = in_stance ? give : lift;
-    const double sine = std::sin(pi * part);
+    const double sine = cca::math::sin(pi * part);
     return height * sine * sine;
   }
 
@@ -129,9 +129,9 @@ struct by_hand {
       const double time = static_cast<double>(k * 1'000'000) * 1e-9;
       wanted = speed > 0 && time >= start ? intercept + slope * speed : -1.0;
       const Eigen::Vector4d& q = played.orientations[beat];
-      const double yaw = std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
-      const double pitch = std::asin(std::clamp(2 * (q[3] * q[1] - q[2] * q[0]), -1.0, 1.0));
-      const double roll = std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
+      const double yaw = cca::math::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
+      const double pitch = cca::math::asin(std::clamp(2 * (q[3] * q[1] - q[2] * q[0]), -1.0, 1.0));
+      const double roll = cca::math::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
       if (std::isfinite(yaw + pitch + roll)) {
         const double largest = drift > 0 ? most / drift : 0.0;
         aside = std::clamp(aside + dt10 * yaw, -largest, largest);
@@ -150,7 +150,7 @@ struct by_hand {
     const double along = convergence * growth, around = 2 * pi * frequency;
     oscillator += dt * Eigen::Vector2d(along * oscillator.x() - around * oscillator.y(),
                                        along * oscillator.y() + around * oscillator.x());
-    const double phase = std::atan2(oscillator.y(), oscillator.x()),
+    const double phase = cca::math::atan2(oscillator.y(), oscillator.x()),
                  amplitude = std::sqrt(oscillator.squaredNorm());
 
     vector8 command;
