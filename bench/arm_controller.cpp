@@ -337,7 +337,8 @@ struct loop {
     const Vector3d axis = cca::rotation::cross<double>({0, 0, 1}, to);
     const double sine = axis.norm();
     if (sine < 1e-9) return {1, 0, 0, 0};
-    return cca::rotation::product(cca::rotation::about(axis, cca::math::atan2(sine, to[2])), Vector4d(1, 0, 0, 0));
+    return cca::rotation::product(cca::rotation::about(axis, cca::math::atan2(sine, to[2])),
+                                  Vector4d(1, 0, 0, 0));
   }
   double pressure() {
     if (!on_table) {

@@ -416,8 +416,8 @@ struct by_hand {
       const Vector3d hip = skills::hip_in_trunk(right ? 1 : 0);
       const double ahead = ball[0] - hip[0],
                    beside = ball[1] - hip[1] + cca::sim::side_of(right ? 1 : 0) * heading.inside;
-      const double off =
-          seen && ahead > heading.near ? -cca::math::atan2(beside, ahead) : cca::rotation::yaw(body.orientation(k));
+      const double off = seen && ahead > heading.near ? -cca::math::atan2(beside, ahead)
+                                                      : cca::rotation::yaw(body.orientation(k));
       if (radius > 0.1) {
         const double largest = heading.drift > 0 ? heading.most / heading.drift : 0.0;
         aside = std::clamp(aside + dt10 * off, -largest, largest);

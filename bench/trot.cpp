@@ -129,9 +129,11 @@ struct by_hand {
       const double time = static_cast<double>(k * 1'000'000) * 1e-9;
       wanted = speed > 0 && time >= start ? intercept + slope * speed : -1.0;
       const Eigen::Vector4d& q = played.orientations[beat];
-      const double yaw = cca::math::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
+      const double yaw =
+          cca::math::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
       const double pitch = cca::math::asin(std::clamp(2 * (q[3] * q[1] - q[2] * q[0]), -1.0, 1.0));
-      const double roll = cca::math::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
+      const double roll =
+          cca::math::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
       if (std::isfinite(yaw + pitch + roll)) {
         const double largest = drift > 0 ? most / drift : 0.0;
         aside = std::clamp(aside + dt10 * yaw, -largest, largest);
