@@ -10,31 +10,13 @@
 
 #include "../../laws/space_laws.hpp"
 #include "bodies.hpp"
+#include "dual.hpp"
 #include "recorded_bodies.hpp"
 
 namespace derivatives_test {
 
 using namespace body_test;
 namespace cd = cca::detail;
-
-// A number and its derivative along one direction.
-struct dual {
-  double value = 0, slope = 0;
-
-  constexpr dual() = default;
-  constexpr dual(double v, double d = 0) : value(v), slope(d) {}
-  constexpr dual operator-() const { return {-value, -slope}; }
-};
-constexpr dual operator+(const dual& a, const dual& b) { return {a.value + b.value, a.slope + b.slope}; }
-constexpr dual operator-(const dual& a, const dual& b) { return {a.value - b.value, a.slope - b.slope}; }
-constexpr dual operator*(const dual& a, const dual& b) {
-  return {a.value * b.value, a.slope * b.value + a.value * b.slope};
-}
-constexpr dual operator/(const dual& a, const dual& b) {
-  const double q = a.value / b.value;
-  return {q, (a.slope - q * b.slope) / b.value};
-}
-constexpr bool is_zero(const dual& x) { return x.value == 0 && x.slope == 0; }
 
 template <class Body>
 struct state {
@@ -72,9 +54,8 @@ struct state {
     for (std::size_t i = 0; i < values; ++i) {
       const auto& v = reduced.values[i];
       const dual x = dual(v.ratio) * angle[static_cast<std::size_t>(v.coordinate)];
-      const double c = std::cos(x.value), s = std::sin(x.value);
-      turns[i] = v.revolute ? dual(c, -s * x.slope) : x;
-      turns[values + i] = v.revolute ? dual(s, c * x.slope) : dual();
+      turns[i] = v.revolute ? cosine(x) : x;
+      turns[values + i] = v.revolute ? sine(x) : dual();
     }
     const auto joints = cd::placed_joints<dual>(reduced, turns);
     cd::link_motion<dual> root;

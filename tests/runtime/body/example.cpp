@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <cca/robot/dynamics/derivatives.hpp>
+#include <cca/robot/dynamics/floating_derivatives.hpp>
 
 #include "../picture.hpp"
 
@@ -76,7 +76,9 @@ static_assert(cca::embodied<body, floating>);
 // [body end]
 
 namespace walker {
-struct arm : cca::body<trunk, cca::part<"arm", arm_chain>> {};
+struct arm : cca::body<trunk, cca::part<"arm", arm_chain>> {
+  static constexpr cca::link_inertia base = walker::body::base;
+};
 }  // namespace walker
 
 TEST_SUITE("body, example") {
@@ -126,6 +128,30 @@ TEST_SUITE("body, example") {
     const Eigen::Vector2d pushed =
         cca::forward_dynamics(now, dq.head<2>(), Eigen::Vector2d(torques.head<2>() + step));
     CHECK((pushed - d.accelerations - (b * step).tail<2>()).norm() < 1e-8);
+  }
+
+  TEST_CASE("a motion beside that of a free base") {
+    const Eigen::Vector2d q(0.3, -0.5), dq(0.1, 0.2), torques(-0.1, -0.02), bent(1e-5, -1e-5);
+    cca::base_motion base;
+    base.angular_velocity = {0.2, -0.4, 0.1};
+    const Eigen::Vector3d turn(1e-5, -2e-5, 1e-5), faster(2e-5, 1e-5, 0);
+    // [floating derivatives]
+    const cca::body_pose<walker::arm> now(q);
+    const auto d = cca::floating_forward_dynamics_derivatives(now, dq, torques, base);
+    // How all accelerations change if the base is turned and turns faster, and the joints are bent.
+    const Eigen::Matrix<double, 8, 1> change =
+        d.by_orientation * turn + d.by_angular_velocity * faster + d.by_angles * bent;
+    // [floating derivatives end]
+    cca::base_motion other = base;
+    other.gravity += base.gravity.cross(turn);
+    other.angular_velocity += faster;
+    const auto there =
+        cca::floating_forward_dynamics(cca::body_pose<walker::arm>(q + bent), dq, torques, other);
+    Eigen::Matrix<double, 8, 1> found;
+    found << there.base.angular_acceleration - d.base.angular_acceleration,
+        there.base.acceleration - d.base.acceleration, there.accelerations - d.accelerations;
+    CHECK((found - change).norm() < 1e-6);
+    CHECK(change.norm() > 1e-4);
   }
 }
 

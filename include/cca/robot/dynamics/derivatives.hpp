@@ -25,13 +25,9 @@
 // Science and Systems 2018.
 #pragma once
 
-#include <cstring>
-
-#include <cca/base/compiler.hpp>
-#include <cca/base/inlining.hpp>
-#include <cca/base/unrolled.hpp>
 #include <cca/robot/dynamics/coriolis_matrix.hpp>
 #include <cca/robot/dynamics/forward_dynamics.hpp>
+#include <cca/robot/dynamics/inverse_of_mass.hpp>
 #include <cca/robot/recorded/torque_derivatives.hpp>
 
 namespace cca {
@@ -49,13 +45,16 @@ struct forward_dynamics_derivatives_result {
 
 namespace detail {
 
-// As recorded/torque_derivatives.hpp, along the axes of the base.
-template <int Size, std::size_t Count>
-inverse_dynamics_derivatives_result<Size> derivatives_of_torques(const std::array<body_link, Count>& links,
-                                                                 const std::array<placed_link, Count>& placed,
-                                                                 const Eigen::Matrix<double, Size, 1>& dq,
-                                                                 const Eigen::Matrix<double, Size, 1>& ddq,
-                                                                 const base_motion& base) {
+// As recorded/torque_derivatives.hpp, along the axes of the base. Adds to `d`. `First`: 6 if the rows and the
+// columns of the accelerations begin with those of the base (floating_derivatives.hpp), else 0.
+template <int First, std::size_t Count, class Vector, class Result>
+void differentiate_loads(const std::array<body_link, Count>& links,
+                         const std::array<placed_link, Count>& placed,
+                         const link_inertia& base_weight,
+                         const Vector& dq,
+                         const Vector& ddq,
+                         const base_motion& base,
+                         Result& d) {
   std::array<vector6, Count> s, v, a, first, second, load;
   std::array<spatial_inertia, Count> inertia;
   std::array<coriolis_factor, Count> factor;
@@ -74,123 +73,74 @@ inverse_dynamics_derivatives_result<Size> derivatives_of_torques(const std::arra
     factor[i] = {inertia[i], v[i]};
     load[i] = inertia[i] * a[i] + cross_load(v[i], inertia[i] * v[i]);
   }
-  inverse_dynamics_derivatives_result<Size> d;
-  d.torques.setZero();
-  d.by_angles.setZero(), d.by_velocities.setZero(), d.by_accelerations.setZero();
+  [[maybe_unused]] const vector3& w = base.angular_velocity;
+  [[maybe_unused]] spatial_inertia all;
+  [[maybe_unused]] coriolis_factor factor_of_all;
+  [[maybe_unused]] vector6 load_on_base;
+  if constexpr (First > 0) {
+    all = spatial_inertia(base_weight);
+    factor_of_all = {all, v_root};
+    load_on_base = all * a_root + cross_load(v_root, all * v_root);
+  }
   for (std::size_t i = Count; i-- > 0;) {
-    const int own = links[i].coordinate;
+    const int own = links[i].coordinate, row = First + own;
     const vector6 pushed = inertia[i] * s[i], back = 2 * factor[i].transposed_times(s[i]),
                   by_speed = 2 * (factor[i].times(s[i]) + inertia[i] * first[i]),
                   standing = 2 * factor[i].times(first[i]) + inertia[i] * second[i],
                   by_angle = standing + cross_load(s[i], load[i]);
     d.torques[own] += s[i].dot(load[i]);
-    d.by_angles(own, own) += s[i].dot(standing);
-    d.by_velocities(own, own) += s[i].dot(by_speed);
-    d.by_accelerations(own, own) += s[i].dot(pushed);
+    d.by_angles(row, own) += s[i].dot(standing);
+    d.by_velocities(row, own) += s[i].dot(by_speed);
+    d.by_accelerations(row, row) += s[i].dot(pushed);
     for (int p = links[i].parent; p >= 0; p = links[static_cast<std::size_t>(p)].parent) {
       const auto j = static_cast<std::size_t>(p);
-      const int other = links[j].coordinate;
+      const int other = links[j].coordinate, other_row = First + other;
       const double of_both = s[j].dot(pushed);
-      d.by_angles(other, own) += s[j].dot(by_angle);
-      d.by_angles(own, other) += first[j].dot(back) + second[j].dot(pushed);
-      d.by_velocities(other, own) += s[j].dot(by_speed);
-      d.by_velocities(own, other) += s[j].dot(back) + 2 * first[j].dot(pushed);
-      d.by_accelerations(other, own) += of_both;
-      d.by_accelerations(own, other) += of_both;
+      d.by_angles(other_row, own) += s[j].dot(by_angle);
+      d.by_angles(row, other) += first[j].dot(back) + second[j].dot(pushed);
+      d.by_velocities(other_row, own) += s[j].dot(by_speed);
+      d.by_velocities(row, other) += s[j].dot(back) + 2 * first[j].dot(pushed);
+      d.by_accelerations(other_row, row) += of_both;
+      d.by_accelerations(row, other_row) += of_both;
     }
-    if (links[i].parent < 0) continue;
-    const auto p = static_cast<std::size_t>(links[i].parent);
-    load[p] += load[i], inertia[p] += inertia[i], factor[p] += factor[i];
+    if constexpr (First > 0) {
+      d.by_angles.col(own).template head<6>() += by_angle;
+      d.by_velocities.col(own).template head<6>() += by_speed;
+      d.by_angular_velocity.row(row) += angular(back) + cross(angular(pushed), w);
+      d.by_accelerations.col(row).template head<6>() += pushed;
+      d.by_accelerations.row(row).template head<6>() += pushed;
+    }
+    if (links[i].parent >= 0) {
+      const auto p = static_cast<std::size_t>(links[i].parent);
+      load[p] += load[i], inertia[p] += inertia[i], factor[p] += factor[i];
+    } else if constexpr (First > 0) {
+      load_on_base += load[i], all += inertia[i], factor_of_all += factor[i];
+    }
   }
+  if constexpr (First > 0) {
+    d.wrench = load_on_base;
+    for (int k = 0; k < 3; ++k) {
+      const vector6 turn = spatial(vector3::Unit(k), vector3::Zero()),
+                    change = spatial(cross(w, vector3::Unit(k)), vector3::Zero());
+      d.by_angular_velocity.col(k).template head<6>() = 2 * factor_of_all.times(turn) + all * change;
+    }
+    const matrix6 whole = all.matrix();
+    d.by_accelerations.template topLeftCorner<6, 6>() = 0.5 * (whole + whole.transpose());
+  }
+}
+
+template <int Size, std::size_t Count>
+inverse_dynamics_derivatives_result<Size> derivatives_of_torques(const std::array<body_link, Count>& links,
+                                                                 const std::array<placed_link, Count>& placed,
+                                                                 const Eigen::Matrix<double, Size, 1>& dq,
+                                                                 const Eigen::Matrix<double, Size, 1>& ddq,
+                                                                 const base_motion& base) {
+  inverse_dynamics_derivatives_result<Size> d;
+  d.torques.setZero();
+  d.by_angles.setZero(), d.by_velocities.setZero(), d.by_accelerations.setZero();
+  differentiate_loads<0>(links, placed, {}, dq, ddq, base, d);
   return d;
 }
-
-// Which coordinates move one another: M is zero elsewhere, and so is its inverse.
-template <int Size>
-struct coordinate_pairs {
-  bool all[std::size_t{Size * Size + 1}]{};
-  constexpr bool& operator()(int a, int b) { return all[a * Size + b]; }
-  constexpr bool operator()(int a, int b) const { return all[a * Size + b]; }
-};
-template <int Size, std::size_t Count>
-constexpr coordinate_pairs<Size> coupled_coordinates(const std::array<body_link, Count>& links) {
-  coordinate_pairs<Size> of;
-  for (const body_link& l : links)
-    for (int j = static_cast<int>(&l - links.data()); j >= 0; j = links[static_cast<std::size_t>(j)].parent) {
-      const int other = links[static_cast<std::size_t>(j)].coordinate;
-      of(l.coordinate, other) = of(other, l.coordinate) = true;
-    }
-  for (int k = 0; k < Size; ++k)
-    for (int i = 0; i < Size; ++i)
-      for (int j = 0; j < Size; ++j) of(i, j) = of(i, j) || (of(i, k) && of(k, j));
-  return of;
-}
-
-template <class Body>
-inline constexpr auto coupled_coordinates_of =
-    coupled_coordinates<axes_of<Body>::count>(weighed_links_of<Body>);
-
-// The inverse of a mass matrix, and its product with others: by columns, in the lanes of vectors. Gauss and
-// Jordan; a positive definite matrix needs no other pivots. A NaN stays in the columns of its limb.
-template <class Body>
-class inverse_of_mass {
-  static constexpr int size = axes_of<Body>::count, width = (size + lane_count - 1) / lane_count;
-  static constexpr const auto& coupled = coupled_coordinates_of<Body>;
-  using matrix = Eigen::Matrix<double, size, size>;
-  struct column {
-    lanes e[std::size_t{width + 1}]{};
-
-    double at(int r) const { return e[r / lane_count][r % lane_count]; }
-    void set(int r, double x) { e[r / lane_count][r % lane_count] = x; }
-    CCA_INLINE void add(double factor, const column& c) {
-      unrolled<width>([&](auto w) { e[w()] += factor * c.e[w()]; });
-    }
-    CCA_INLINE void write(int k, matrix& to) const {
-      std::memcpy(to.data() + k * size, e, size * sizeof(double));
-      for (int r = 0; r < size; ++r)
-        if (!are_coupled(r, k)) to(r, k) = 0;
-    }
-  };
-  CCA_INLINE static bool are_coupled(int r, int c) {
-    constexpr bool always = [] {
-      for (int k = 0; k < size * size; ++k)
-        if (!coupled.all[k]) return false;
-      return true;
-    }();
-    return always || coupled(r, c);
-  }
-  column columns[std::size_t{size + 1}];
-
-public:
-  explicit inverse_of_mass(const matrix& m) {
-    for (int k = 0; k < size; ++k) std::memcpy(columns[k].e, m.data() + k * size, size * sizeof(double));
-    for (int k = 0; k < size; ++k) {
-      const column own = columns[k];
-      const double inverse = 1 / own.at(k);
-      for (int j = 0; j < size; ++j) {
-        if (j == k || !are_coupled(j, k)) continue;
-        const double factor = columns[j].at(k) * inverse;
-        columns[j].add(-factor, own);
-        columns[j].set(k, factor);
-      }
-      columns[k] = {};
-      columns[k].add(-inverse, own);
-      columns[k].set(k, inverse);
-    }
-  }
-  void write(matrix& to) const {
-    for (int k = 0; k < size; ++k) columns[k].write(k, to);
-  }
-  // - m^-1 b.
-  void write_minus_product(const matrix& b, matrix& to) const {
-    for (int c = 0; c < size; ++c) {
-      column sum;
-      for (int k = 0; k < size; ++k)
-        if (are_coupled(k, c)) sum.add(-b(k, c), columns[k]);
-      sum.write(c, to);
-    }
-  }
-};
 
 template <class Type, bool Moving, class... Base>
 auto recorded_derivatives(const body_pose<Type>& now,
@@ -241,11 +191,11 @@ template <class Body, int Size>
 forward_dynamics_derivatives_result<Size> derivatives_of_solution(
     const Eigen::Matrix<double, Size, 1>& accelerations,
     const inverse_dynamics_derivatives_result<Size>& inverse) {
-  const inverse_of_mass<Body> mass(inverse.by_accelerations);
+  const inverse_of_mass<held_coordinates<Body>> mass(inverse.by_accelerations);
   forward_dynamics_derivatives_result<Size> d;
   d.accelerations = accelerations;
-  mass.write_minus_product(inverse.by_angles, d.by_angles);
-  mass.write_minus_product(inverse.by_velocities, d.by_velocities);
+  mass.template write_minus_product<coupled_coordinates_of<Body>>(inverse.by_angles, d.by_angles);
+  mass.template write_minus_product<coupled_coordinates_of<Body>>(inverse.by_velocities, d.by_velocities);
   mass.write(d.by_torques);
   return d;
 }
