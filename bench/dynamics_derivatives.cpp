@@ -1,15 +1,17 @@
 // The derivatives of the dynamics of an arm of seven joints and of a quadruped of twelve, whose bases stand,
-// and the arm's Coriolis matrix and momentum: recorded at compile time, and by the loops over the links that
-// larger bodies use.
+// and the arm's Coriolis matrix, momentum and operational space: recorded at compile time, and by the loops
+// that larger bodies use.
 //
 //   dynamics_derivatives NAME cca|loops ROUNDS      (two_ways.hpp)
 //
-// Each round begins with the angles.
+// Each round begins with the angles; operational space with mass matrix and Jacobian.
 #include <cstdio>
 #include <string_view>
 
 #include <cca/robot/dynamics/derivatives.hpp>
+#include <cca/robot/dynamics/mass_matrix.hpp>
 #include <cca/robot/dynamics/momentum.hpp>
+#include <cca/robot/dynamics/operational_space.hpp>
 
 #include "arm.hpp"
 #include "quadruped.hpp"
@@ -29,6 +31,8 @@ struct state_of {
 struct state {
   state_of<arm> of_arm;
   state_of<quadruped> of_quadruped;
+  Eigen::Matrix<double, 7, 7> mass;  // of the arm, and of its end the Jacobian
+  Eigen::Matrix<double, 6, 7> jacobian;
 };
 template <class Derivatives>
 auto all_of(const Derivatives& d) {
@@ -104,11 +108,37 @@ struct momentum_of_arm {
   }
 };
 
+template <int Rows>
+struct operational_space_of_arm {
+  static constexpr const char* name =
+      Rows == 6 ? "operational space of the arm" : "operational space of the arm, position alone";
+  using rows = Eigen::Matrix<double, Rows, 7>;
+  static rows of(const state& s) { return s.jacobian.template bottomRows<Rows>(); }
+  static auto joined(const Eigen::Matrix<double, Rows, Rows>& inertia,
+                     const Eigen::Matrix<double, 7, Rows>& inverse) {
+    Eigen::Matrix<double, 7 + Rows, Rows> both;
+    both << inertia, inverse;
+    return both;
+  }
+  static auto cca(const state& s) {
+    const cca::operational_space task(s.mass, of(s));
+    return joined(task.inertia, task.inverse);
+  }
+  static auto loops(const state& s) {
+    Eigen::Matrix<double, Rows, Rows> inertia;
+    Eigen::Matrix<double, 7, Rows> inverse;
+    cd::operational_space_by_loops(s.mass, of(s), inertia, inverse);
+    return joined(inertia, inverse);
+  }
+};
+
 struct states {
   static constexpr double tolerance = 1e-10;
   static state next(int round) {
     state s;
     spread(s.of_arm, round), spread(s.of_quadruped, round);
+    const auto now = s.of_arm.pose();
+    s.mass = cca::mass_matrix(now), s.jacobian = now.template jacobian<"arm">();
     return s;
   }
 };
@@ -117,6 +147,6 @@ struct states {
 
 int main(int argc, char** argv) {
   return bench::program<bench::beside_loops<bench::states>, bench::inverse_of_arm, bench::forward_of_arm,
-                        bench::inverse_of_quadruped, bench::coriolis_of_arm, bench::momentum_of_arm>(argc,
-                                                                                                     argv);
+                        bench::inverse_of_quadruped, bench::coriolis_of_arm, bench::momentum_of_arm,
+                        bench::operational_space_of_arm<6>, bench::operational_space_of_arm<3>>(argc, argv);
 }

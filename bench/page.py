@@ -276,8 +276,8 @@ def derivatives(part):
     rows = [[r["quantity"], r["compiler"], f"{number(r['cca'])} / {number(r['loops'])}", f"**{r['cca'] / r['loops']:.2f}**", r["allocations"]] for r in part["data"]]
     return f"""## Derivatives of dynamics
 
-The matrices of [derivatives](body.md#derivatives) of the arm of seven joints and of the quadruped of twelve, whose bases stand, and the arm's Coriolis matrix and momentum: recorded, and by the loops over the links that larger bodies use (`bench/dynamics_derivatives.cpp`).
-Each computation begins with the angles; those of derivatives give the torques or accelerations, too.
+The matrices of [derivatives](body.md#derivatives) of the arm of seven joints and of the quadruped of twelve, whose bases stand, and the arm's Coriolis matrix, momentum and [operational space](body.md#recordings): recorded, and by the loops that larger bodies use (`bench/dynamics_derivatives.cpp`).
+Each computation begins with the angles, operational space with mass matrix and Jacobian; those of derivatives give the torques or accelerations, too.
 A run checks that both give the same numbers.
 Each cell reads recorded / loops.
 

@@ -1,6 +1,9 @@
 // The laws of dynamics, on random trees and on bodies.
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <limits>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
@@ -280,6 +283,50 @@ TEST_SUITE("dynamics") {
       const Eigen::Matrix<double, 3, 7> rows = j.bottomRows<3>();
       const cca::operational_space position(m, rows);
       CHECK((rows * position.inverse - Eigen::Matrix3d::Identity()).norm() < 1e-8);
+    }
+  }
+
+  TEST_CASE_TEMPLATE("operational space, recorded and by loops", Rows, std::integral_constant<int, 6>,
+                     std::integral_constant<int, 3>, std::integral_constant<int, 1>) {
+    constexpr int rows = Rows::value;
+    using quantity = cca::detail::recorded_mobility<rows, 7>;
+    static_assert(cca::detail::is_recorded<quantity>());
+    static_assert(!cca::detail::is_recorded<cca::detail::recorded_mobility<6, 9>>());
+    using columns = Eigen::Matrix<double, 7, rows>;
+    using square = Eigen::Matrix<double, rows, rows>;
+    laws::source random{std::mt19937_64{73}};
+    for (int round = 0; round < laws::rounds; ++round) {
+      const cca::body_pose<arm> now(random_coordinates<arm>(random, 2.5));
+      Eigen::Matrix<double, 7, 7> m = cca::mass_matrix(now);
+      Eigen::Matrix<double, rows, 7> j = now.jacobian<"arm">().template bottomRows<rows>();
+      columns moved;
+      square mobility;
+      cca::detail::straight_line<quantity>::evaluate({moved.data(), mobility.data()}, m.data(), j.data());
+      const columns wanted = m.llt().solve(j.transpose());
+      CHECK((moved - wanted).cwiseAbs().maxCoeff() < 1e-12 * wanted.cwiseAbs().maxCoeff());
+      const square pushed = j * wanted;
+      CHECK((mobility - pushed).cwiseAbs().maxCoeff() < 1e-12 * pushed.cwiseAbs().maxCoeff());
+      CHECK(mobility == mobility.transpose());
+
+      const cca::operational_space task(m, j);
+      square inertia;
+      columns inverse;
+      cca::detail::operational_space_by_loops(m, j, inertia, inverse);
+      // Near a direction in which the end can't move, rounding counts more.
+      const double exactly = 1e-14 * mobility.norm() * inertia.norm();
+      CHECK((task.inertia - inertia).norm() < exactly * inertia.norm());
+      CHECK((task.inverse - inverse).norm() < exactly * inverse.norm());
+
+      // Only the lower triangle counts; in all else no NaN is lost.
+      m(2, 5) = std::nan("");
+      CHECK(cca::operational_space(m, j).inverse == task.inverse);
+      m(2, 5) = 0, m(5, 2) = std::nan("");
+      CHECK(!cca::operational_space(m, j).inverse.allFinite());
+      m(5, 2) = 0, m(3, 3) = std::numeric_limits<double>::infinity();
+      CHECK(!cca::operational_space(m, j).inverse.allFinite());
+      CHECK(cca::operational_space(m, j).inertia.allFinite());
+      m(3, 3) = 1, j(0, round % 7) = std::nan("");
+      CHECK(!cca::operational_space(m, j).inverse.allFinite());
     }
   }
 

@@ -7,6 +7,7 @@
 //     static constexpr int owner(int group);         // 0 to 63; -1: every output needs it
 //     static constexpr bool may_vanish(int group);   // an infinite one could leave no trace (1 / x)
 //     static constexpr void record(recorder& r) { r.output(r.input(0) * r.input(1), 0b1); }
+//     static constexpr bool is_small = true;         // for is_recorded: false if a try would be in vain
 //   };
 //   tape_of<product_of_two>                          // a constant; straight_line.hpp makes code of it
 //
@@ -135,5 +136,15 @@ public:
 
 template <class Algorithm>
 inline constexpr auto tape_of = tape_maker<Algorithm>().made();
+
+// Whether an algorithm is small enough; `is_small` spares the compiler a try.
+template <class Algorithm>
+constexpr bool is_recorded() {
+  if constexpr (Algorithm::is_small) {
+    return !tape_of<Algorithm>.is_full;
+  } else {
+    return false;
+  }
+}
 
 }  // namespace cca::detail

@@ -20,12 +20,30 @@
 // check the angles before (input_status.hpp). Source: Khatib, A unified approach for motion and force control
 // of robot manipulators: The operational space formulation, IEEE J. Robotics and Automation 3(1), 1987: the
 // kinetic energy matrix of the end, and for redundant arms the dynamically consistent inverse. Cost: a
-// Cholesky decomposition of the mass matrix, about n^2 products for each row; nothing allocates.
+// decomposition of the mass matrix, about n^2 products for each row; nothing allocates. For up to 128 numbers
+// in mass matrix and rows together it is recorded (recorded/mobility.hpp), but for the inverse of rows x
+// rows, which chooses its pivots as it goes; beyond, it is loops.
 #pragma once
 
 #include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/robot/recorded/mobility.hpp>
 
 namespace cca {
+namespace detail {
+
+template <int Rows, int Size>
+void operational_space_by_loops(const Eigen::Matrix<double, Size, Size>& mass,
+                                const Eigen::Matrix<double, Rows, Size>& rows,
+                                Eigen::Matrix<double, Rows, Rows>& inertia,
+                                Eigen::Matrix<double, Size, Rows>& inverse) {
+  const positive_matrix<Size> m(mass);
+  const Eigen::Matrix<double, Size, Rows> half =
+      m.forward(Eigen::Matrix<double, Size, Rows>(rows.transpose()));
+  inertia = generalised_inverse<Rows>(half.transpose() * half);
+  inverse = m.backward(Eigen::Matrix<double, Size, Rows>(half * inertia));
+}
+
+}  // namespace detail
 
 template <int Rows, int Size>
 struct operational_space {
@@ -38,11 +56,15 @@ struct operational_space {
   operational_space(const Eigen::Matrix<double, Size, Size>& mass,
                     const Eigen::Matrix<double, Rows, Size>& rows)
       : jacobian(rows) {
-    const detail::positive_matrix<Size> m(mass);
-    const Eigen::Matrix<double, Size, Rows> half =
-        m.forward(Eigen::Matrix<double, Size, Rows>(rows.transpose()));
-    inertia = detail::generalised_inverse<Rows>(half.transpose() * half);
-    inverse = m.backward(Eigen::Matrix<double, Size, Rows>(half * inertia));
+    using quantity = detail::recorded_mobility<Rows, Size>;
+    if constexpr (detail::is_recorded<quantity>()) {
+      Eigen::Matrix<double, Size, Rows> moved;
+      detail::straight_line<quantity>::evaluate({moved.data(), inertia.data()}, mass.data(), rows.data());
+      inertia = detail::generalised_inverse<Rows>(inertia);
+      inverse = moved * inertia;
+    } else {
+      detail::operational_space_by_loops(mass, rows, inertia, inverse);
+    }
   }
 
   vector free_motion(const vector& motion) const { return motion - inverse * (jacobian * motion); }

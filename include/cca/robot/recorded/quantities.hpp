@@ -226,13 +226,4 @@ struct recorded_floating_forward_dynamics : recorded_quantity<Body, 2, 3> {
   }
 };
 
-template <class Quantity>
-constexpr bool is_recorded() {
-  if constexpr (Quantity::is_small) {
-    return !tape_of<Quantity>.is_full;
-  } else {
-    return false;
-  }
-}
-
 }  // namespace cca::detail
