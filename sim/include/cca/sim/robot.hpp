@@ -14,15 +14,5 @@
 
 #include <cca/robot/body_dynamics.hpp>  // not needed here, but by most programs with a simulated robot
 #include <cca/robots/ports.hpp>
+#include <cca/sim/robot/robot_graph.hpp>
 #include <cca/sim/robot/simulated_robot.hpp>
-
-namespace cca::sim {
-
-template <class R, class World = robot_world>
-struct robot : robots::graph_of_robot<std::enable_if_t<robots::check_description<R>(), R>,
-                                      "simulator",
-                                      simulated_robot<R, World>,
-                                      "simulator",
-                                      detail::joints_of<R>::template node> {};
-
-}  // namespace cca::sim

@@ -32,6 +32,38 @@ struct ground_strip {
   double height(double x) const { return edge_z + (x - edge_x) * math::tan(pitch); }
 };
 
+// The numbers of a terrain, without its name: a plain value.
+struct ground_profile {
+  double start = std::numeric_limits<double>::infinity();  // x, m: level ground before it
+  double pitch = 0, rise = 0;                              // rad, m
+  double run = std::numeric_limits<double>::infinity();    // m, of a step
+  std::int64_t count = 0;                                  // of strips after the first
+
+  double height(double x) const { return strip(index_at(x)).height(x); }
+
+  // Calls f(strip) for every strip that has ground between the two places, from left to right.
+  template <class F>
+  void strips_between(double low, double high, F f) const {
+    if (!(std::isfinite(low) && std::isfinite(high))) return;
+    for (std::int64_t i = index_at(low), last = index_at(high); i <= last; ++i) f(strip(i));
+  }
+
+private:
+  // Strip 0 is the level ground before `start`, strip i the i-th step, or the slope.
+  std::int64_t index_at(double x) const {
+    if (!(x >= start)) return 0;
+    return static_cast<std::int64_t>(std::min(static_cast<double>(count), 1 + std::floor((x - start) / run)));
+  }
+
+  ground_strip strip(std::int64_t i) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (i == 0) return {-infinity, count > 0 ? start : infinity, 0, 0, 0};
+    const auto n = static_cast<double>(i);
+    const double begin = i == 1 ? start : start + (n - 1) * run;
+    return {begin, i == count ? infinity : start + n * run, begin, n * rise, pitch};
+  }
+};
+
 class terrain {
 public:
   static constexpr std::int64_t endless = std::int64_t{1} << 52;  // every smaller number of steps is exact
@@ -88,13 +120,13 @@ public:
     return t;
   }
 
-  double height(double x) const { return strip(index_at(x)).height(x); }
+  double height(double x) const { return profile_.height(x); }
+  const ground_profile& profile() const { return profile_; }
 
   // Calls f(strip) for every strip that has ground between the two places, from left to right.
   template <class F>
   void strips_between(double low, double high, F f) const {
-    if (!(std::isfinite(low) && std::isfinite(high))) return;
-    for (std::int64_t i = index_at(low), last = index_at(high); i <= last; ++i) f(strip(i));
+    profile_.strips_between(low, high, f);
   }
 
 private:
@@ -102,25 +134,10 @@ private:
                           quarter_turn = std::numbers::pi / 2;
 
   terrain(std::string name, double start, double pitch, double rise, double run, std::int64_t count)
-      : name_(std::move(name)), start_(start), pitch_(pitch), rise_(rise), run_(run), count_(count) {}
-
-  // Strip 0 is the level ground before `start`, strip i the i-th step, or the slope.
-  std::int64_t index_at(double x) const {
-    if (!(x >= start_)) return 0;
-    return static_cast<std::int64_t>(
-        std::min(static_cast<double>(count_), 1 + std::floor((x - start_) / run_)));
-  }
-
-  ground_strip strip(std::int64_t i) const {
-    if (i == 0) return {-infinity, count_ > 0 ? start_ : infinity, 0, 0, 0};
-    const auto n = static_cast<double>(i);
-    const double begin = i == 1 ? start_ : start_ + (n - 1) * run_;
-    return {begin, i == count_ ? infinity : start_ + n * run_, begin, n * rise_, pitch_};
-  }
+      : name_(std::move(name)), profile_{start, pitch, rise, run, count} {}
 
   std::string name_;
-  double start_, pitch_, rise_, run_;
-  std::int64_t count_;  // of strips after the first
+  ground_profile profile_;
   double friction_ = 0.75;
 };
 

@@ -5,8 +5,10 @@
 // A value: a changed copy of it is another robot. It is made outside of the loop; it allocates.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -171,24 +173,22 @@ std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
   return sensed_parts;
 }
 
-inline placed_shape placed(const robots::shape_on& s,
-                           int part,
-                           const std::vector<int>& links_of_part,
-                           const std::vector<place_on_link>& ends,
-                           const std::vector<int>& sensed_parts) {
+// `ends`, `sensed_parts`: places and numbers of parts. `links`: those of each part (links_by_part).
+template <class Links, class Ends, class Parts>
+constexpr placed_shape placed(
+    const robots::shape_on& s, int part, const Links& links, const Ends& ends, const Parts& sensed_parts) {
   if (s.link == robots::shape_on::base) return {-1, s.form, s.where, -1};
-  if (s.link >= 0) return {links_of_part.at(static_cast<std::size_t>(s.link)), s.form, s.where, -1};
+  const auto p = static_cast<std::size_t>(part);
+  if (s.link >= 0) return {links[p].at(static_cast<std::size_t>(s.link)), s.form, s.where, -1};
   int sensor = -1;
   for (std::size_t i = 0; i < sensed_parts.size(); ++i)
     if (sensed_parts[i] == part) sensor = static_cast<int>(i);
-  const place_on_link& end = ends[static_cast<std::size_t>(part)];
+  const place_on_link& end = ends[p];
   return {end.link, s.form, end.where * s.where, sensor, part};
 }
 
-template <class Body>
-place_on_link placed(const robots::point_of_robot& p,
-                     const std::vector<std::vector<int>>& links,
-                     const std::vector<place_on_link>& ends) {
+template <class Body, class Links, class Ends>
+constexpr place_on_link placed(const robots::point_of_robot& p, const Links& links, const Ends& ends) {
   const placement there = at(p.at[0], p.at[1], p.at[2]);
   if (p.link == robots::shape_on::base) return {-1, there};
   const auto part = static_cast<std::size_t>(part_index<Body>(p.part));
@@ -196,19 +196,33 @@ place_on_link placed(const robots::point_of_robot& p,
   return {ends[part].link, ends[part].where * there};
 }
 
-// The links of each part, in the order of its joints.
+// The links of a part, in the order of its joints.
+template <std::size_t Most>
+struct links_of_part {
+  std::array<int, Most> link{};
+  std::size_t count = 0;
+
+  constexpr int at(std::size_t i) const { return link.at(i); }
+};
 template <class Body>
-std::vector<std::vector<int>> links_by_part() {
+constexpr auto links_by_part() {
   constexpr const auto& tree = cca::detail::body_tree_of<Body>;
-  std::vector<std::vector<int>> all;
-  for (const auto& end : tree.ends) {
-    const int part = static_cast<int>(all.size());
-    auto& links = all.emplace_back();
-    const int parent = Body::attached::parent[static_cast<std::size_t>(part)];
+  std::array<links_of_part<tree.links.size() + 1>, tree.ends.size()> all{};
+  for (std::size_t part = 0; part < all.size(); ++part) {
+    const int parent = Body::attached::parent[part];
     const int before = parent < 0 ? -1 : tree.ends[static_cast<std::size_t>(parent)].link;
-    for (int at = end.link; at != before; at = tree.links[static_cast<std::size_t>(at)].parent)
-      links.insert(links.begin(), at);
+    auto& links = all[part];
+    for (int at = tree.ends[part].link; at != before; at = tree.links[static_cast<std::size_t>(at)].parent)
+      links.link[links.count++] = at;
+    std::reverse(links.link.begin(), links.link.begin() + static_cast<std::ptrdiff_t>(links.count));
   }
+  return all;
+}
+template <class Body>
+constexpr auto ends_of() {
+  std::array<place_on_link, cca::detail::body_tree_of<Body>.ends.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = {cca::detail::body_tree_of<Body>.ends[i].link, cca::detail::body_tree_of<Body>.ends[i].where};
   return all;
 }
 
@@ -237,8 +251,7 @@ robot_model model_of() {
     const auto links = detail::links_by_part<body>();
     for (const robots::shape_on& s : R::shapes) {
       const int part = part_index<body>(s.part);
-      m.shapes.push_back(detail::placed(
-          s, part, part < 0 ? std::vector<int>{} : links[static_cast<std::size_t>(part)], m.ends, sensed));
+      m.shapes.push_back(detail::placed(s, part, links, m.ends, sensed));
     }
   }
   if constexpr (requires { R::line_springs.size(); }) {

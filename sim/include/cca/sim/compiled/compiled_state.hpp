@@ -1,0 +1,51 @@
+// The state of a compiled world as a value: put it back, and a run goes on bit for bit.
+//
+// Trivially copyable for a scalar that is.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <cca/sim/compiled/inertial_places.hpp>
+#include <cca/sim/compiled/probes.hpp>
+#include <cca/sim/compiled/tree_step.hpp>
+#include <cca/sim/robot/model/plausible.hpp>
+
+namespace cca::sim {
+
+template <class Real>
+struct compiled_reading {
+  Real angle{}, velocity{}, torque{};  // rad, rad/s, N m of the motor, a mean over the beat
+};
+
+template <class Real>
+struct pull_on_end {
+  std::array<Real, 3> force{}, torque{};  // N, N m, along the world's axes
+};
+
+// All that a beat of physics depends on, or adds to.
+template <class R, class Real>
+struct compiled_state {
+  using tree = detail::compiled_tree<R>;
+  static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
+
+  detail::tree_motion<Real, tree::coordinates, tree::floats> motion{};
+  detail::tree_drives<R, Real> drives{};
+  std::array<compiled_reading<Real>, n> joints{};
+  std::array<pull_on_end<Real>, tree::described.ends.size()> pulls{};
+  std::array<Real, 3> push{};
+  std::array<detail::triple<Real>, detail::probes_of<R>::count>
+      impulses{};  // N s, of the last step's contacts
+  std::array<std::array<Real, 6>, detail::load_parts<R>.size()> loads{};
+  std::array<std::array<Real, 3>, tree::described.ends.size()> end_forces{};
+  std::array<robots::inertial_reading, detail::inertial_places<R>.size()> inertial{};
+  std::array<std::array<double, 3>, detail::inertial_places<R>.size()>
+      unit_speeds{};                      // m/s, after the last beat
+  std::array<double, 3> planned{};        // the push that a plan said last
+  Real positive_work{}, absolute_work{};  // J, of the motors
+  std::int64_t beats = 0;
+  world_trouble trouble{};
+};
+
+}  // namespace cca::sim

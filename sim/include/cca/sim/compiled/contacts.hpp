@@ -1,0 +1,280 @@
+// The contacts of a compiled world in one step: found in its middle, solved together, added to the change of
+// the velocities.
+//
+// Probes (probes.hpp) against the ground: a floor, or strips of a terrain. A contact is a spring and a damper
+// in SI units that acts where the step ends, and friction is a true cone. The speeds that impulses cause come
+// from the factor of the step, so a contact feels the springs, servos and couplings of the robot. Its memory
+// is for `most` contacts; of more the deepest count. Impulses of the last step are the first guess.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include <cca/sim/compiled/contact_solver.hpp>
+#include <cca/sim/compiled/ground.hpp>
+#include <cca/sim/compiled/probes.hpp>
+#include <cca/sim/compiled/tree_step.hpp>
+
+namespace cca::sim::detail {
+
+template <class Real>
+struct contact_force {
+  std::size_t probe = 0;
+  triple<Real> at{}, normal{}, force{};  // in the world: m, N
+  triple<Real> slip{};                   // m/s along the surface, after the step
+};
+
+// Of two changes of the velocities, without and with contacts: the smaller one, or none if they go two ways.
+// It is what goes on in the next step: an impact does not, and at rest nothing does.
+template <class Vector>
+constexpr Vector lasting(const Vector& without, const Vector& with) {
+  using Real = typename Vector::value_type;
+  Vector v{};
+  const Real zero(0.0);
+  for (std::size_t k = 0; k < v.size(); ++k)
+    v[k] = smaller(larger(without[k], zero), larger(with[k], zero)) +
+           larger(smaller(without[k], zero), smaller(with[k], zero));
+  return v;
+}
+
+template <class R, class Real>
+class contacts_in_step {
+public:
+  using tree = compiled_tree<R>;
+  using probes = probes_of<R>;
+  static constexpr std::size_t most = std::min<std::size_t>(probes::count, 32), longest = probes::longest;
+  using impulses = std::array<triple<Real>, probes::count>;  // of the last step, in the world
+
+  std::size_t count = 0;
+  int rounds = 0;
+
+  // The change of the step becomes that with contacts. `last`: takes the impulses.
+  constexpr void solve(tree_step<R, Real>& step,
+                       const tree_motion<Real, tree::coordinates, tree::floats>& m,
+                       const ground& under,
+                       impulses& last,
+                       double h) {
+    find(step, under);
+    rounds = 0;
+    if (count > 0) {
+      prepare(step, m, under, last, h);
+      rounds =
+          solve_contacts(laws, count, [this](std::size_t k, std::size_t j, std::size_t r, std::size_t s) {
+            return meeting[3 * k + r][3 * j + s];
+          });
+    }
+    for (auto& p : last) p = {};
+    if (count > 0) apply(step, last);
+  }
+
+  // After the step: what each contact did. `f(contact_force)`.
+  template <class F>
+  constexpr void each(double h, F f) const {
+    for (std::size_t k = 0; k < count; ++k) {
+      const contact& c = found[k];
+      const auto& p = laws[k].impulse;
+      contact_force<Real> made;
+      made.probe = c.probe, made.at = c.world, made.normal = c.touch.normal;
+      made.force = Real(1 / h) * (p[0] * c.axes[0] + p[1] * c.axes[1] + p[2] * c.axes[2]);
+      std::array<Real, 3> u = laws[k].speed;
+      for (std::size_t j = 0; j < count; ++j)
+        for (std::size_t r = 1; r < 3; ++r)
+          for (std::size_t s = 0; s < 3; ++s) {
+            const Real meets = j != k   ? meeting[3 * k + r][3 * j + s]
+                               : s == r ? laws[k].own[r]
+                               : s == 0 ? laws[k].coupling[r - 1]
+                                        : Real(0.0);
+            u[r] = u[r] + meets * laws[j].impulse[s];
+          }
+      made.slip = u[1] * c.axes[1] + u[2] * c.axes[2];
+      f(made);
+    }
+  }
+
+private:
+  struct contact {
+    std::size_t probe = 0;
+    ground_touch<Real> touch{};
+    triple<Real> world{}, axes[3]{};             // in the world
+    std::array<std::array<Real, longest>, 3> w;  // D^-1/2 L^-T J^T, over the rows of its branch
+  };
+
+  constexpr void find(const tree_step<R, Real>& step, const ground& under) {
+    count = 0;
+    std::size_t shallow = 0;
+    for (std::size_t i = 0; i < probes::count; ++i) {
+      const probe& p = probes::all[i];
+      const triple<Real> at = on_links<R, Real>::point(step.places, p.link, p.at),
+                         world = step.base.at + step.base.direction(at);
+      const ground_touch<Real> t = touch_of(under, world, p.radius);
+      if (!(t.depth > Real(0.0))) continue;
+      std::size_t place = count;
+      if (count < most) {
+        ++count;
+      } else {
+        place = shallow;
+        if (!(t.depth > found[shallow].touch.depth)) continue;
+      }
+      found[place].probe = i, found[place].touch = t;
+      found[place].world = world - Real(p.radius) * t.normal;
+      for (std::size_t k = 0; k < count; ++k)
+        if (found[k].touch.depth < found[shallow].touch.depth) shallow = k;
+    }
+  }
+
+  constexpr void prepare(const tree_step<R, Real>& step,
+                         const tree_motion<Real, tree::coordinates, tree::floats>& m,
+                         const ground& under,
+                         const impulses& last,
+                         double h) {
+    const double stiff = 0.5 * h * under.contact.stiffness, damp = under.contact.damping;
+    const double give = 1 / (h * (stiff + damp)), back = under.contact.stiffness / (stiff + damp);
+    typename on_links<R, Real>::vector speed = step.change, scale{};
+    if constexpr (tree::floats) {
+      const auto turning = along(step.base, m.angular_velocity), velocity = along(step.base, m.velocity);
+      for (std::size_t k = 0; k < 3; ++k)
+        speed[k] = speed[k] + turning[k], speed[3 + k] = speed[3 + k] + velocity[k];
+    }
+    for (std::size_t c = 0; c < m.dq.size(); ++c) {
+      Real& v = speed[on_links<R, Real>::row(static_cast<int>(c))];
+      v = v + m.dq[c];
+    }
+    for (std::size_t k = 0; k < scale.size(); ++k) scale[k] = root(step.now.mass.inverse[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+      contact& x = found[k];
+      contact_law<Real>& l = laws[k];
+      l = {};
+      l.give = Real(give), l.friction = Real(under.contact.friction);
+      l.bias = between(Real(0.0), Real(back) * (x.touch.depth - Real(under.surface_layer)),
+                       Real(under.correcting_speed));
+      set_tangents(x);
+      fill(step, x, l, speed, scale);
+      turn_tangents(x, l);
+      // Of a point that can't move along the surface the speed is 0, and any impulse would do: none.
+      for (std::size_t r = 1; r < 3; ++r) l.own[r] = l.own[r] + Real(1e-10 * give);
+      for (std::size_t r = 0; r < 3; ++r) l.impulse[r] = dot(x.axes[r], last[x.probe]);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t j = 0; j < k; ++j) {
+        const std::size_t both = shared(probes::all[found[k].probe].tip, probes::all[found[j].probe].tip);
+        for (std::size_t r = 0; r < 3; ++r)
+          for (std::size_t s = 0; s < 3; ++s) {
+            Real sum{};
+            for (std::size_t i = 0; i < both; ++i) sum = sum + found[k].w[r][i] * found[j].w[s][i];
+            meeting[3 * k + r][3 * j + s] = meeting[3 * j + s][3 * k + r] = sum;
+          }
+      }
+  }
+
+  // Of two branches: how many rows they have in common, from the first.
+  static constexpr std::size_t shared(int a, int b) {
+    const auto& of = tree::branches;
+    const auto &one = of.way[static_cast<std::size_t>(a)], &other = of.way[static_cast<std::size_t>(b)];
+    std::size_t k = 0;
+    while (k < longest && static_cast<int>(k) <= of.depth[static_cast<std::size_t>(a)] &&
+           static_cast<int>(k) <= of.depth[static_cast<std::size_t>(b)] && one[k] == other[k])
+      ++k;
+    return k;
+  }
+
+  static constexpr void set_tangents(contact& x) {
+    const triple<Real>& n = x.touch.normal;
+    const auto steep = n[0] * n[0] > Real(0.5);
+    const triple<Real> across{select(steep, Real(0.0), Real(1.0)), select(steep, Real(1.0), Real(0.0)),
+                              Real(0.0)};
+    const triple<Real> t = across - dot(across, n) * n;
+    x.axes[0] = n, x.axes[1] = (Real(1.0) / root(dot(t, t))) * t, x.axes[2] = cross(n, x.axes[1]);
+  }
+
+  static constexpr void fill(const tree_step<R, Real>& step,
+                             contact& x,
+                             contact_law<Real>& l,
+                             const typename on_links<R, Real>::vector& speed,
+                             const typename on_links<R, Real>::vector& scale) {
+    constexpr const auto& of = tree::branches;
+    const probe& p = probes::all[x.probe];
+    const auto& way = of.way[static_cast<std::size_t>(p.tip)];
+    const auto length = static_cast<std::size_t>(of.depth[static_cast<std::size_t>(p.tip)] + 1);
+    const triple<Real> at = along(step.base, x.world - step.base.at);
+    triple<Real> d[3];
+    for (std::size_t r = 0; r < 3; ++r) {
+      x.w[r] = {};
+      d[r] = along(step.base, x.axes[r]);
+      if constexpr (tree::floats) {
+        const triple<Real> moment = cross(at, d[r]);
+        for (std::size_t k = 0; k < 3; ++k) x.w[r][k] = moment[k], x.w[r][3 + k] = d[r][k];
+      }
+    }
+    on_links<R, Real>::each_joint(
+        step.places, p.link,
+        [&](std::size_t row, const triple<Real>& axis, const triple<Real>& from, bool turns) {
+          const triple<Real> moves = turns ? cross(axis, at - from) : axis;
+          const auto k = static_cast<std::size_t>(of.depth[row]);
+          for (std::size_t r = 0; r < 3; ++r) x.w[r][k] = x.w[r][k] + dot(d[r], moves);
+        });
+    for (std::size_t r = 0; r < 3; ++r) {
+      Real sum{};
+      for (std::size_t k = 0; k < length; ++k)
+        sum = sum + x.w[r][k] * speed[static_cast<std::size_t>(way[k])];
+      l.speed[r] = sum;
+    }
+    for (std::size_t k = length; k-- > 0;) {
+      const auto row = static_cast<std::size_t>(way[k]);
+      const Real* const factor = step.now.mass.row(row);
+      for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t i = 0; i < k; ++i) x.w[r][i] = x.w[r][i] - factor[i] * x.w[r][k];
+        x.w[r][k] = x.w[r][k] * scale[row];
+      }
+    }
+  }
+
+  // Turns the tangents until an impulse along one causes no speed along the other.
+  static constexpr void turn_tangents(contact& x, contact_law<Real>& l) {
+    Real g[6]{};
+    for (std::size_t i = 0; i < longest; ++i) {
+      const Real a = x.w[0][i], b = x.w[1][i], c = x.w[2][i];
+      g[0] = g[0] + a * a, g[1] = g[1] + b * b, g[2] = g[2] + c * c;
+      g[3] = g[3] + a * b, g[4] = g[4] + a * c, g[5] = g[5] + b * c;
+    }
+    const Real d = g[2] - g[1], twice = g[5] + g[5], size = larger(d, -d);
+    const Real sign = select(d < Real(0.0), Real(-1.0), Real(1.0));
+    const Real t = sign * twice / (size + root(larger(d * d + twice * twice, Real(1e-200))));
+    const Real c = Real(1.0) / root(Real(1.0) + t * t), s = t * c;
+    const auto turn = [&](auto& a, auto& b) {
+      const auto before = a;
+      a = c * before - s * b;
+      b = s * before + c * b;
+    };
+    turn(x.axes[1], x.axes[2]);
+    turn(l.speed[1], l.speed[2]);
+    for (std::size_t i = 0; i < longest; ++i) turn(x.w[1][i], x.w[2][i]);
+    l.own = {g[0], g[1] - t * g[5], g[2] + t * g[5]};
+    turn(g[3], g[4]);
+    l.coupling = {g[3], g[4]};
+  }
+
+  constexpr void apply(tree_step<R, Real>& step, impulses& last) const {
+    typename on_links<R, Real>::vector z{};
+    for (std::size_t k = 0; k < count; ++k) {
+      const contact& x = found[k];
+      const auto& p = laws[k].impulse;
+      last[x.probe] = p[0] * x.axes[0] + p[1] * x.axes[1] + p[2] * x.axes[2];
+      const auto tip = static_cast<std::size_t>(probes::all[x.probe].tip);
+      for (std::size_t i = 0; i <= static_cast<std::size_t>(tree::branches.depth[tip]); ++i) {
+        Real& sum = z[static_cast<std::size_t>(tree::branches.way[tip][i])];
+        sum = sum + (x.w[0][i] * p[0] + x.w[1][i] * p[1] + x.w[2][i] * p[2]);
+      }
+    }
+    for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * root(step.now.mass.inverse[k]);
+    step.now.mass.forward(z);
+    for (std::size_t k = 0; k < z.size(); ++k) step.change[k] = step.change[k] + z[k];
+  }
+
+  // Without values: to write them would cost more than a step without contacts.
+  std::array<contact, most> found;
+  std::array<contact_law<Real>, most> laws;
+  std::array<std::array<Real, 3 * most>, 3 * most> meeting;
+};
+
+}  // namespace cca::sim::detail

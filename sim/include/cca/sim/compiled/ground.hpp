@@ -1,0 +1,82 @@
+// The ground of a compiled world as plain numbers, and where a sphere or a corner touches it.
+//
+// A terrain is a row of strips (cca/sim/engine/terrain.hpp). The nearest point of a strip decides: above a
+// strip it is as deep as its centre is near, so a sphere rolls over the edge of a step; what is below the
+// surface of a strip is pushed up through it. The strip in which it is deepest counts.
+#pragma once
+
+#include <stdexcept>
+
+#include <cca/base/math.hpp>
+#include <cca/sim/compiled/scalar.hpp>
+#include <cca/sim/compiled/tree_motion.hpp>
+#include <cca/sim/engine/checked_scene.hpp>
+#include <cca/sim/engine/scene.hpp>
+#include <cca/sim/engine/terrain.hpp>
+
+namespace cca::sim::detail {
+
+struct ground {
+  bool exists = false;
+  double floor = 0;  // m, of the first strip
+  ground_profile profile{};
+  contact_numbers contact{};
+  double surface_layer = 0, correcting_speed = 0;
+};
+
+// Throws std::invalid_argument for what no world can have, and for what this one has not.
+inline ground ground_of(const scene& around, const engine_settings& settings) {
+  const scene s = checked(around);
+  if (!s.boxes.empty() || !s.balls.empty())
+    throw std::invalid_argument(
+        "cca::sim::compiled_world: there are no boxes and no balls in it yet, only a floor or "
+        "a terrain; cca::sim::robot_world has them");
+  if (s.floor && s.ground)
+    throw std::invalid_argument(
+        "cca::sim::compiled_world: the scene has a floor and a terrain; give one of them, or "
+        "use cca::sim::robot_world, which has both");
+  ground g;
+  g.exists = s.floor || s.ground;
+  if (s.floor) g.floor = *s.floor;
+  g.contact = s.contact;
+  if (s.ground) g.profile = s.ground->profile(), g.contact.friction = s.ground->friction();
+  g.surface_layer = settings.surface_layer, g.correcting_speed = settings.correcting_speed;
+  return g;
+}
+
+template <class Real>
+struct ground_touch {
+  Real depth{};  // m; below 0: it doesn't touch
+  triple<Real> normal{Real(0.0), Real(0.0), Real(1.0)};
+};
+
+constexpr double plain(double x) { return x; }
+
+// A sphere, or with radius 0 a corner, at this place in the world.
+template <class Real>
+ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radius) {
+  ground_touch<Real> best;
+  best.depth = Real(-1.0);
+  if (!g.exists) return best;
+  const double x = plain(at[0]);
+  g.profile.strips_between(x - radius, x + radius, [&](const ground_strip& s) {
+    const double c = math::cos(s.pitch), n = math::sin(s.pitch);
+    // In the plane of x and z, from the strip's edge: along it, and above it.
+    const Real dx = at[0] - Real(s.edge_x), dz = at[2] - Real(g.floor + s.edge_z);
+    const Real along = Real(c) * dx + Real(n) * dz, above = Real(c) * dz - Real(n) * dx;
+    const double begin = (s.begin - s.edge_x) / c, end = (s.end - s.edge_x) / c;
+    const Real beyond = larger(along - Real(end), Real(0.0)) + smaller(along - Real(begin), Real(0.0));
+    ground_touch<Real> t;
+    if (plain(beyond) == 0 || !(plain(above) > 0)) {
+      t = {Real(radius) - above, {Real(-n), Real(0.0), Real(c)}};
+      if (plain(beyond) != 0) return;  // below, and beside
+    } else {
+      const Real far = root(beyond * beyond + above * above), u = beyond / far, v = above / far;
+      t = {Real(radius) - far, {Real(c) * u - Real(n) * v, Real(0.0), Real(n) * u + Real(c) * v}};
+    }
+    if (best.depth < t.depth) best = t;
+  });
+  return best;
+}
+
+}  // namespace cca::sim::detail

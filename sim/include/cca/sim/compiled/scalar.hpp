@@ -1,0 +1,30 @@
+// What a compiled world asks of its scalar beside + - * /: choices without a branch.
+//
+// A scalar of your own (a dual number, lanes) brings these by argument-dependent look-up, besides comparisons
+// and `sine_and_cosine`: `select(condition, yes, no)`; `everywhere(condition)`, whether it holds in all
+// lanes; `root(x)`.
+#pragma once
+
+#include <cca/base/math/angles.hpp>
+#include <cca/base/math/roots.hpp>
+
+namespace cca::sim::detail {
+
+constexpr double select(bool condition, double yes, double no) { return condition ? yes : no; }
+constexpr bool everywhere(bool condition) { return condition; }
+constexpr double root(double x) { return cca::math::sqrt(x); }
+
+template <class Real>
+constexpr Real smaller(const Real& a, const Real& b) {
+  return select(a < b, a, b);
+}
+template <class Real>
+constexpr Real larger(const Real& a, const Real& b) {
+  return select(a < b, b, a);
+}
+template <class Real>
+constexpr Real between(const Real& low, const Real& x, const Real& high) {
+  return larger(low, smaller(x, high));
+}
+
+}  // namespace cca::sim::detail

@@ -1,0 +1,220 @@
+// One physics step of a described robot that nothing touches: joints, motors, springs, gravity, pulls.
+//
+// Moreau's midpoint: positions follow the velocities for half a step, then the velocities change at once by
+// the forces and the inertia of that posture, then positions follow for the other half. What velocities add
+// to the forces (centrifugal, Coriolis) is taken in the middle, where the last change leads: the step is of
+// second order. Forces of joints and lines are straight pieces in the change of the velocities. A round
+// solves the equations for the pieces that hold at a guess, first that of the last step; it repeats until the
+// pieces at the result are the same. Mostly one round is enough; `most_rounds` bounds their number. Source:
+// Moreau, Numerical aspects of the sweeping process, 1999; pieces: Newton's method for piecewise linear
+// equations, as in Qi and Sun, A nonsmooth version of Newton's method, 1993.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include <cca/robots/joint_law.hpp>
+#include <cca/sim/compiled/line_forces.hpp>
+#include <cca/sim/compiled/tree_motion.hpp>
+#include <cca/sim/robot/model/cable_winch.hpp>
+
+namespace cca::sim::detail {
+
+// A cable's pulley (cca/sim/robot/model/cable_winch.hpp), over any scalar.
+template <class Real>
+struct pulley {
+  Real wound{}, wanted{}, speed{}, torque{};
+
+  constexpr void wind(const robots::motor_line& m, double h) {
+    const Real load = between(Real(0.0), torque, Real(m.torque));
+    const Real most =
+        select(load < Real(m.torque), Real(m.no_load_speed) - Real(m.no_load_speed / (2 * m.torque)) * load,
+               Real(0.0));
+    speed = between(Real(-m.no_load_speed), wanted, most);
+    wound = wound + Real(h) * speed;
+  }
+};
+
+// What a step needs beside the motion; `torque`: of the motors, in the last step.
+template <class R, class Real>
+struct tree_drives {
+  static constexpr auto n = static_cast<std::size_t>(compiled_tree<R>::coordinates);
+  std::array<robots::joint_law, n> laws{};
+  std::array<pulley<Real>, n> pulleys{};
+  std::array<Real, n> torque{};
+};
+
+template <class R, class Real>
+class tree_step {
+public:
+  using tree = compiled_tree<R>;
+  using motion = tree_motion<Real, tree::coordinates, tree::floats>;
+  using equations = tree_equations<R, Real>;
+  using vector = typename branch_matrix<tree::branches, Real>::vector;
+  using coordinates = typename equations::coordinates;
+  using frames = std::array<placed_frame<Real>, tree::links>;
+
+  static constexpr int most_rounds = 6;
+
+  equations now{};
+  placed_frame<Real> base{};  // in the world
+  frames places{};            // of the reduced links, in the base
+  vector change{};            // of the velocities, along the axes of the base
+  int rounds = 0;
+
+  constexpr explicit tree_step(double step) : h(step) {}
+
+  // The posture in the middle of the step: M, and the forces of motion and gravity.
+  constexpr void begin(motion& m, double gravity) {
+    m.drift(0.5 * h);
+    base = m.frame();
+    now.look(m.q);
+    places = now.places();
+    const Real half(0.5 * h);
+    coordinates speeds;
+    for (std::size_t c = 0; c < n; ++c) speeds[c] = m.dq[c] + half * m.change[c];
+    now.weigh(speeds, along(base, m.angular_velocity + half * m.turning_change),
+              along(base, triple<Real>{Real(0.0), Real(0.0), Real(gravity)}));
+  }
+
+  // Beside those of `begin`, forces may be added to `now.forces` here.
+
+  constexpr void solve(const motion& m, tree_drives<R, Real>& drives) {
+    prepare(m, drives);
+    const auto free_mass = now.mass;
+    vector guess{};
+    sides = {};
+    for (std::size_t c = 0; c < n; ++c) guess[row(c)] = Real(h) * m.change[c];
+    for (rounds = 1;; ++rounds) {
+      now.mass = free_mass, change = now.forces;
+      for (std::size_t c = 0; c < n; ++c) {
+        const std::size_t r = row(c);
+        const answer<Real> motor = motor_of(drives, c, guess[r], sides[c]);
+        sides[c] = motor.side;
+        taken[c] = of_joint(c, guess[r], motor);
+        change[r] = change[r] + taken[c].force + taken[c].slope * guess[r];
+        now.mass.diagonal(r) = now.mass.diagonal(r) + Real(h) * taken[c].slope;
+      }
+      for (std::size_t i = 0; i < tree::lines.size(); ++i) take(i, guess);
+      now.mass.factor();
+      for (Real& x : change) x = Real(h) * x;
+      now.mass.solve(change);
+      if (rounds == most_rounds || holds(drives, guess)) break;
+      guess = change;
+    }
+  }
+
+  // The velocities take their change, and positions follow. `smooth`: the part of the change that goes on in
+  // the next step.
+  constexpr void end(motion& m, tree_drives<R, Real>& drives, const vector& smooth) {
+    const Real per_second(1 / h);
+    if constexpr (tree::floats) {
+      m.angular_velocity = m.angular_velocity + base.direction({change[0], change[1], change[2]});
+      m.velocity = m.velocity + base.direction({change[3], change[4], change[5]});
+      m.turning_change = per_second * base.direction({smooth[0], smooth[1], smooth[2]});
+    }
+    for (std::size_t c = 0; c < n; ++c) {
+      drives.torque[c] = motor_of(drives, c, change[row(c)], Real(0.0)).force;
+      m.dq[c] = m.dq[c] + change[row(c)];
+      m.change[c] = per_second * smooth[row(c)];
+      if (R::drives[c].cable.stiffness > 0) drives.pulleys[c].torque = drives.torque[c];
+      if (tree::ranges[c].exists()) m.q[c] = m.q[c] - Real(comes_back) * beyond(tree::ranges[c], m.q[c]);
+    }
+    m.drift(0.5 * h);
+  }
+
+  // The force that makes a spring or cable longer, at the change of the step.
+  constexpr Real pull_of_line(std::size_t i) const { return lines[i].at(growth_of(i, change)).force; }
+
+private:
+  static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
+  static constexpr std::size_t row(std::size_t c) {
+    return static_cast<std::size_t>(tree::branches.row[tree::base + c]);
+  }
+
+  constexpr void prepare(const motion& m, tree_drives<R, Real>& drives) {
+    for (std::size_t c = 0; c < n; ++c) {
+      joints[c] = {h, m.q[c], m.dq[c], now.mass.diagonal(row(c))};
+      const auto& d = R::drives[c];
+      if (!(d.cable.stiffness > 0)) continue;
+      pulley<Real>& p = drives.pulleys[c];
+      if (drives.laws[c].stiffness > 0) p.wind(d.motor, h);
+      else p.wound = m.q[c] + Real(0.5 * h) * m.dq[c], p.speed = m.dq[c];
+    }
+    for (std::size_t i = 0; i < tree::lines.size(); ++i)
+      lines[i] = {tree::lines[i], places, m.dq, [&](std::size_t c) { return joints[c].inertia; }, h};
+  }
+
+  constexpr answer<Real> motor_of(const tree_drives<R, Real>& drives,
+                                  std::size_t c,
+                                  const Real& dv,
+                                  const Real& last) const {
+    const auto& d = R::drives[c];
+    if (!(d.motor.torque > 0)) return {};
+    if (!(d.cable.stiffness > 0 && drives.laws[c].stiffness > 0))
+      return by_motor(d, drives.laws[c], joints[c], dv, last);
+    const pulley<Real>& p = drives.pulleys[c];
+    return by_cable(d, p.wound - Real(0.5 * h) * p.speed, p.speed, joints[c], dv, last);
+  }
+  constexpr answer<Real> of_joint(std::size_t c, const Real& dv, answer<Real> sum) const {
+    const auto& d = R::drives[c];
+    if (d.friction > 0 || d.spring > 0) sum += in_joint(d, joints[c], dv);
+    if (tree::ranges[c].exists()) sum += by_stops(tree::ranges[c], joints[c], dv);
+    return sum;
+  }
+
+  static constexpr std::size_t coordinate_of_line(std::size_t i, int k) {
+    return static_cast<std::size_t>(tree::lines[i].coordinate[static_cast<std::size_t>(k)]);
+  }
+  constexpr Real growth_of(std::size_t i, const vector& dv) const {
+    Real sum{};
+    for (int k = 0; k < tree::lines[i].count; ++k) {
+      const std::size_t c = coordinate_of_line(i, k);
+      sum = sum + lines[i].growth[c] * dv[row(c)];
+    }
+    return sum;
+  }
+  constexpr void take(std::size_t i, const vector& guess) {
+    const Real dv = growth_of(i, guess);
+    const answer<Real> a = taken[n + i] = lines[i].at(dv);
+    const Real force = a.force + a.slope * dv;
+    const auto& g = lines[i].growth;
+    for (int k = 0; k < tree::lines[i].count; ++k) {
+      const std::size_t c = coordinate_of_line(i, k);
+      change[row(c)] = change[row(c)] + force * g[c];
+      for (int l = 0; l < tree::lines[i].count; ++l) {
+        const std::size_t d = coordinate_of_line(i, l);
+        if (row(d) > row(c)) continue;
+        Real& entry = now.mass.row(row(c))[tree::branches.depth[row(d)]];
+        entry = entry + Real(h) * a.slope * g[c] * g[d];
+      }
+    }
+  }
+
+  // Whether the forces at the change are those of the pieces that were taken.
+  constexpr bool holds(const tree_drives<R, Real>& drives, const vector& guess) const {
+    bool all = true;
+    const auto check = [&](const answer<Real>& was, const Real& is, const Real& way) {
+      const Real off = is - (was.force - was.slope * way), size = Real(1.0) + is * is;
+      all = all && everywhere(off * off <= Real(1e-18) * size);
+    };
+    for (std::size_t c = 0; c < n; ++c) {
+      const Real& dv = change[row(c)];
+      check(taken[c], of_joint(c, dv, motor_of(drives, c, dv, Real(0.0))).force, dv - guess[row(c)]);
+    }
+    for (std::size_t i = 0; i < tree::lines.size(); ++i) {
+      const Real dv = growth_of(i, change);
+      check(taken[n + i], lines[i].at(dv).force, dv - growth_of(i, guess));
+    }
+    return all;
+  }
+
+  double h;
+  std::array<coordinate_in_step<Real>, n> joints{};
+  std::array<line_in_step<R, Real>, tree::lines.size()> lines{};
+  std::array<answer<Real>, n + tree::lines.size()> taken{};
+  std::array<Real, n> sides{};  // of the motors, in the last round
+};
+
+}  // namespace cca::sim::detail

@@ -1,0 +1,67 @@
+// Centre of mass and energies of a robot in a compiled world, as it is.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <cca/sim/compiled/on_links.hpp>
+#include <cca/sim/compiled/tree_equations.hpp>
+
+namespace cca::sim::detail {
+
+template <class R, class Real>
+struct whole_robot {
+  using tree = compiled_tree<R>;
+  using motion = tree_motion<Real, tree::coordinates, tree::floats>;
+  using links = on_links<R, Real>;
+
+  static constexpr tree_equations<R, Real> at(const motion& m) {
+    tree_equations<R, Real> now;
+    now.look(m.q);
+    return now;
+  }
+
+  static constexpr triple<Real> centre_of_mass(const motion& m) {
+    const auto places = at(m).places();
+    const auto given = [](const auto& v) { return triple<Real>{Real(v[0]), Real(v[1]), Real(v[2])}; };
+    triple<Real> sum = given(tree::reduced.base.first);
+    for (std::size_t i = 0; i < tree::links; ++i) {
+      const auto& of = tree::reduced.links[i].mass;
+      sum = sum + Real(of.mass) * places[i].at + places[i].direction(given(of.first));
+    }
+    const auto frame = m.frame();
+    return frame.at + frame.direction(Real(1 / tree::mass) * sum);
+  }
+
+  // Kinetic, and potential from the height of the world's origin.
+  static constexpr Real energy(const motion& m, double gravity) {
+    auto now = at(m);
+    now.weigh({}, {}, {});
+    typename links::vector v{};
+    if constexpr (tree::floats) {
+      const auto base = m.frame();
+      const triple<Real> w = along(base, m.angular_velocity), u = along(base, m.velocity);
+      for (std::size_t k = 0; k < 3; ++k) v[k] = w[k], v[3 + k] = u[k];
+    }
+    for (std::size_t c = 0; c < m.dq.size(); ++c) v[links::row(static_cast<int>(c))] = m.dq[c];
+    return Real(0.5) * now.mass.form(v) + Real(gravity * tree::mass) * centre_of_mass(m)[2];
+  }
+
+  static constexpr Real spring_energy(const motion& m) {
+    const auto places = at(m).places();
+    Real sum{};
+    for (const auto& l : tree::lines) {
+      const triple<Real> line = links::point(places, l.to, l.to_at) - links::point(places, l.from, l.from_at);
+      const Real stretch = root(dot(line, line)) - Real(l.rest);
+      const Real felt = l.only_pulls ? larger(stretch, Real(0.0)) : stretch;
+      sum = sum + Real(0.5 * l.stiffness) * felt * felt;
+    }
+    for (std::size_t c = 0; c < m.q.size(); ++c) {
+      const Real stretch = m.q[c] - Real(R::drives[c].spring_rest);
+      sum = sum + Real(0.5 * R::drives[c].spring) * stretch * stretch;
+    }
+    return sum;
+  }
+};
+
+}  // namespace cca::sim::detail

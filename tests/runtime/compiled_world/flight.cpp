@@ -1,0 +1,165 @@
+// Free flight in a compiled world: energy and momentum stay, to the second order of the step; copies go on
+// bit for bit; derivatives by dual numbers.
+#include <Eigen/Dense>
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "robots.hpp"
+
+namespace laws {
+std::size_t allocations();  // in tests/laws/allocations.cpp
+}
+
+using namespace compiled_test;
+
+namespace {
+
+// With speeds of up to 2 rad/s. `steps`: in a beat of 1 ms.
+template <class R>
+sim::compiled_world<R> thrown(int steps) {
+  sim::robot_world_settings s;
+  s.steps_per_beat = steps;
+  sim::compiled_world<R> w(s);
+  laws::source random{std::mt19937_64{7}};
+  const auto place = random_place(random);
+  const numbers<R> q = random_numbers<R>(random, 0.3), dq = random_numbers<R>(random, 2);
+  const Eigen::Vector3d turning = random.vector(2), velocity = random.vector(2);
+  if constexpr (R::floats)
+    w.place(q, dq, place, {turning[0], turning[1], turning[2]}, {velocity[0], velocity[1], velocity[2]});
+  else w.place(q, dq);
+  return w;
+}
+
+// After each beat of 0.3 s.
+template <class R>
+double largest_change_of_energy(int steps) {
+  auto w = thrown<R>(steps);
+  const double before = w.energy();
+  double most = 0;
+  for (int i = 0; i < 300; ++i) w.advance({}), most = std::max(most, std::abs(w.energy() - before));
+  return most;
+}
+
+// Angular about the centre of mass, then linear; along the world's axes.
+Eigen::Matrix<double, 6, 1> momentum(const sim::compiled_world<flying_oncilla>& w) {
+  const sim::moving_frame base = w.frame(-1);
+  const Eigen::Matrix3d& turn = base.where.turn;
+  Eigen::Matrix<double, 22, 1> v;
+  v << turn.transpose() * base.angular_velocity, turn.transpose() * base.velocity, speeds_of(w);
+  const Eigen::Matrix<double, 6, 1> own = cca::floating_centroidal_momentum_matrix(pose_of(w)) * v;
+  Eigen::Matrix<double, 6, 1> m;
+  m << turn * own.head<3>(), turn * own.tail<3>();
+  return m;
+}
+double error_of_momentum(int steps) {
+  auto w = thrown<flying_oncilla>(steps);
+  Eigen::Matrix<double, 6, 1> wanted = momentum(w);
+  for (int i = 0; i < 300; ++i) w.advance({});
+  wanted[5] -= 0.3 * 9.81 * robots::oncilla::body.mass();
+  return (momentum(w) - wanted).norm();
+}
+
+template <class World>
+bool same_bits(const World& a, const World& b) {
+  return std::memcmp(&a.save().motion, &b.save().motion, sizeof a.save().motion) == 0;
+}
+
+// A number and its derivative.
+struct dual {
+  double value = 0, slope = 0;
+
+  constexpr dual() = default;
+  constexpr dual(double v, double d = 0) : value(v), slope(d) {}
+  constexpr dual operator-() const { return {-value, -slope}; }
+  friend constexpr dual operator+(const dual& a, const dual& b) {
+    return {a.value + b.value, a.slope + b.slope};
+  }
+  friend constexpr dual operator-(const dual& a, const dual& b) {
+    return {a.value - b.value, a.slope - b.slope};
+  }
+  friend constexpr dual operator*(const dual& a, const dual& b) {
+    return {a.value * b.value, a.slope * b.value + a.value * b.slope};
+  }
+  friend constexpr dual operator/(const dual& a, const dual& b) {
+    const double q = a.value / b.value;
+    return {q, (a.slope - q * b.slope) / b.value};
+  }
+  friend constexpr bool operator<(const dual& a, const dual& b) { return a.value < b.value; }
+  friend constexpr bool operator>(const dual& a, const dual& b) { return a.value > b.value; }
+  friend constexpr bool operator<=(const dual& a, const dual& b) { return a.value <= b.value; }
+  friend constexpr bool operator==(const dual& a, const dual& b) { return a.value == b.value; }
+  friend constexpr dual select(bool condition, const dual& yes, const dual& no) {
+    return condition ? yes : no;
+  }
+  friend dual root(const dual& x) {
+    const double r = std::sqrt(x.value);
+    return {r, x.slope / (2 * r)};
+  }
+  friend auto sine_and_cosine(const dual& x) {
+    struct {
+      dual sine, cosine;
+    } both;
+    const auto of = cca::math::sine_and_cosine(x.value);
+    both.sine = {of.sine, of.cosine * x.slope}, both.cosine = {of.cosine, -of.sine * x.slope};
+    return both;
+  }
+};
+
+// Where the tip of the arm's last joint is after 0.2 s, in its first angle, by the speed that the second
+// joint starts with.
+template <class Real>
+Real swung(const Real& speed) {
+  sim::compiled_world<limp_arm, Real> w;
+  std::array<Real, 7> q{}, dq{};
+  q[1] = Real(-0.7), q[3] = Real(-2.0), dq[0] = Real(1.0), dq[1] = speed;
+  w.place(q, dq);
+  for (int i = 0; i < 200; ++i) w.advance({});
+  return w.joints()[0].angle;
+}
+
+}  // namespace
+
+TEST_SUITE("compiled world: flight") {
+  TEST_CASE_TEMPLATE("energy stays, to the second order", R, flying_oncilla, limp_arm) {
+    const double whole = largest_change_of_energy<R>(2), half = largest_change_of_energy<R>(4);
+    MESSAGE("J: ", whole, " in steps of 0.5 ms, ", half, " in steps of 0.25 ms");
+    CHECK(half < 0.3 * whole);
+    CHECK(half > 0.2 * whole);
+    if (R::floats) CHECK(whole < 1e-6);
+  }
+
+  TEST_CASE("momentum stays, to the second order") {
+    const double whole = error_of_momentum(2), half = error_of_momentum(4);
+    MESSAGE("N s, N m s: ", whole, " in steps of 0.5 ms, ", half, " in steps of 0.25 ms");
+    CHECK(whole < 1e-5);
+    CHECK(half < 0.3 * whole);
+  }
+
+  TEST_CASE("copy, save and restore go on bit for bit, and nothing allocates") {
+    auto w = thrown<flying_oncilla>(2);
+    for (int i = 0; i < 50; ++i) w.advance({});
+    auto copy = w;
+    const auto saved = w.save();
+    const std::size_t before = laws::allocations();
+    for (int i = 0; i < 50; ++i) w.advance({}), copy.advance({});
+    CHECK(laws::allocations() == before);
+    CHECK(same_bits(w, copy));
+    const auto there = w.save().motion.q;
+    w.restore(saved);
+    CHECK(w.save().motion.q != there);
+    for (int i = 0; i < 50; ++i) w.advance({});
+    CHECK(same_bits(w, copy));
+  }
+
+  TEST_CASE("a dual number as scalar gives the derivative") {
+    const dual by_speed = swung(dual(0.8, 1));
+    CHECK(by_speed.value == swung(0.8));
+    const double d = 1e-4;
+    const double difference = (swung(0.8 + d) - swung(0.8 - d)) / (2 * d);
+    MESSAGE("by dual numbers ", by_speed.slope, ", by differences ", difference);
+    CHECK(by_speed.slope == doctest::Approx(difference).epsilon(1e-6));
+    CHECK(std::abs(by_speed.slope) > 1e-3);
+  }
+}
