@@ -22,6 +22,19 @@ static_assert(tells<too_fast, fastest>(
      "too_fast or one of its spaces states 2000000000 Hz, and a beat is at least a nanosecond long: state "
      "at most 1,000,000,000 Hz"}));
 
+struct stands_still : as_fast_as<0> {};
+struct inner_stands_still : khz<cca::node<"g", stands_still>> {};
+struct moves : as_fast_as<1000> {};
+struct inner_moves : khz<cca::node<"g", moves>> {};
+static_assert(tells<stands_still, moves>(
+    {"rate.missing", "stands_still",
+     "`cca::rate<0>` in stands_still is no rate, which is a number of updates per second above 0, as "
+     "`cca::rate<1000>`; where none is meant, leave it out"}));
+static_assert(tells<inner_stands_still, inner_moves>(
+    {"rate.missing", "stands_still",
+     "`cca::rate<0>` in stands_still is no rate, which is a number of updates per second above 0, as "
+     "`cca::rate<1000>`; where none is meant, leave it out"}));
+
 struct two_rates : khz<cca::rate<500>, cca::node<"a", source<>>> {};
 struct two_rates_mended : khz<cca::rate<1000>, cca::node<"a", source<>>> {};
 static_assert(tells<two_rates, two_rates_mended>(

@@ -24,7 +24,9 @@ namespace cca {
 namespace detail {
 
 // Stands for what is no space, so that the compiler has one thing to say and not twenty.
-struct no_space : space<number, axes<x>> {};
+struct no_space : space<number, axes<x>> {
+  static constexpr bool is_refused = true;
+};
 
 template <class Type>
 inline constexpr bool is_space =
@@ -56,6 +58,8 @@ template <class Type> concept HoldsNumber = std::is_class_v<Type> &&
                                             std::is_convertible_v<const Type&, double> &&
                                             !requires { Type::SizeAtCompileTime; };
 
+template <class Type> concept BareNumber = std::is_arithmetic_v<Type>;
+
 // Of a space that neither is that of the output nor renames it.
 template <class Other, class Space> concept Foreign = !std::is_same_v<Other, Space> && !Renames<Other, Space>;
 
@@ -67,6 +71,15 @@ struct wrong_length {
       << ", and a sample of " << space_in_words<typename Port::space>() << " has " << Port::space::size
       << (Port::space::size == 1 ? " coordinate" : " coordinates")
       << ": give one number for each axis (an orientation and a pose have a quaternion)";
+  }
+};
+template <class Port, int Given>
+struct of_bare_numbers {
+  static constexpr void tell(text& m) {
+    m << "component.bad_result: the output `" << Port::name << "` is made from " << Given
+      << (Given == 1 ? " number" : " numbers") << ", and a sample of "
+      << space_in_words<typename Port::space>() << " from a vector: write `Eigen::Vector<double, "
+      << Port::space::size << ">{...}` with a number for each axis, or fill it by axis";
   }
 };
 template <class Port, class Type>
@@ -91,7 +104,7 @@ struct foreign_sample {
 // An input: the sample that the component sees in this firing. `fresh()`: it arrived since the component last
 // fired.
 template <fixed_string Name, class Space>
-class in : public sample<detail::checked_space<Space>> {
+class in : public sample<typename decltype(detail::space_or_refused<Space>())::type> {
 public:
   static constexpr std::string_view name = Name.view();
 
@@ -152,7 +165,7 @@ template <fixed_string Name, class Space>
 class out {
 public:
   static constexpr std::string_view name = Name.view();
-  using space = detail::checked_space<Space>;
+  using space = typename decltype(detail::space_or_refused<Space>())::type;
   using vector_type = typename space::vector_type;
 
   constexpr out() {
@@ -170,6 +183,11 @@ public:
   template <detail::HoldsNumber Number>
     requires(space::size == 1)
   constexpr out(const Number& number) : out(static_cast<double>(number)) {}
+  template <detail::BareNumber... Numbers>
+    requires(sizeof...(Numbers) > 1 || (sizeof...(Numbers) == 1 && space::size != 1))
+  constexpr out(Numbers...) {
+    static_assert(detail::holds_or_tells<false, detail::of_bare_numbers<out, sizeof...(Numbers)>>::value);
+  }
   template <class Vector>
     requires detail::Unfit<Vector, space::size>
   constexpr out(const Eigen::MatrixBase<Vector>&) {
@@ -231,6 +249,11 @@ public:
   template <detail::HoldsNumber Number>
     requires(maybe::space::size == 1)
   constexpr maybe(const Number& number) : maybe(static_cast<double>(number)) {}
+  template <detail::BareNumber... Numbers>
+    requires(sizeof...(Numbers) > 1 || (sizeof...(Numbers) == 1 && maybe::space::size != 1))
+  constexpr maybe(Numbers...) {
+    static_assert(detail::holds_or_tells<false, detail::of_bare_numbers<maybe, sizeof...(Numbers)>>::value);
+  }
   template <class Vector>
     requires detail::Unfit<Vector, maybe::space::size>
   constexpr maybe(const Eigen::MatrixBase<Vector>&) {

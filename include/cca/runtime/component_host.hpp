@@ -167,9 +167,10 @@ public:
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
   // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
   using parameters_by_path<Self>::set;  // by a path that is known only at run time
-  template <fixed_string Path, class Parameters = typename parameters_at<Graph, Path>::type>
-  void set(const Parameters& parameters) {
-    if constexpr (can_set<Graph, Path>())
+  template <fixed_string Path>
+  void set(const typename parameters_at<Graph, Path>::type& parameters) {
+    static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
+    if constexpr (has_parameters<Graph, Path>())
       apply_parameters(get<Path>(), parameters, Path.view(), step_of(Path.view()));
     tell_parameters(self());
   }

@@ -14,6 +14,7 @@
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/methods/linear.hpp>
 
 namespace cca {
@@ -43,7 +44,10 @@ struct cartesian_position : detail::linear_domain {
 
     template <class Vector>
     constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
-      return Self((this->self().vector() + by).eval(), this->self().origin());
+      using space = typename Self::space;
+      if constexpr (detail::takes_vector<"plus", space, space::size, Vector>())
+        return Self((this->self().vector() + by).eval(), this->self().origin());
+      else return this->self();
     }
   };
 };
@@ -76,7 +80,9 @@ template <class Type> concept PositionSample = Sample<Type> && is_position<typen
 template <class Space>
 struct not_spatial {
   static constexpr void tell(text& m) {
-    m << "space.mismatch: a rotation moves samples over three axes, axes<x, y, z>, and this one is of "
+    m << "space.mismatch: a rotation moves samples over three axes, axes<x, y, z>, that are positions, "
+         "forces, "
+         "twists or wrenches, and this one is of "
       << space_in_words<Space>();
   }
 };

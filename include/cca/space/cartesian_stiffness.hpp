@@ -15,6 +15,7 @@
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/twist_wrench.hpp>
 
 namespace cca {
@@ -47,7 +48,9 @@ struct cartesian_stiffness : detail::cartesian_diagonal<At, In> {
     template <class Vector>
     auto wrench(const Eigen::MatrixBase<Vector>& displacement) const {
       using result = sample<with_domain<typename Self::space, cca::wrench<At, In>>>;
-      return result(-this->self().vector().cwiseProduct(displacement), this->self().origin());
+      if constexpr (detail::takes_vector<"wrench", typename Self::space, 6, Vector>())
+        return result(-this->self().vector().cwiseProduct(displacement), this->self().origin());
+      else return result();
     }
   };
 };

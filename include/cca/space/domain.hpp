@@ -4,6 +4,7 @@
 //   quantity             what is measured along its axes (quantity.hpp), or void
 //   actuated             true if its samples command joints; then its axes must state limits
 //   width(axes)          how many numbers a sample over this many axes has
+//   axis_count           only if it is over so many axes and no other number of them
 //   zero(i, axes)        number i of the zero; an input holds the zero until its first sample arrives
 //   methods<Self>        what samples inherit from it; Self is the sample
 //   coordinates          only if they aren't the axes: the names of the numbers, and coordinate_units

@@ -20,7 +20,7 @@ struct space_info {
   int size;
   const double* zero;  // coordinates of the space's zero
   double hz;           // 0 if the space states no rate
-  std::uint64_t key;   // equal if the domain type (with its frame) and the ordered axes are equal
+  std::uint64_t key;   // equal if the domain type (with its frame) and the ordered axes are equal; 0 fits all
   bool actuated;
   int duplicate_axis;          // index, or -1
   int missing_limits;          // index of the first axis without limits for the domain's quantity, or -1
@@ -91,6 +91,9 @@ struct axes_facts<axes<Axes...>> {
 };
 
 template <class Space>
+constexpr bool is_refused_space = requires { requires Space::is_refused; };
+
+template <class Space>
 inline constexpr space_info space_of = {
     type_name<Space>(),
     type_name<typename Space::domain>(),
@@ -99,10 +102,11 @@ inline constexpr space_info space_of = {
     Space::size,
     zero_of<Space>.data(),
     hz_of<typename Space::rate>,
-    axes_facts<typename Space::axes>::key(hash(spelled<typename Space::domain>())),
+    is_refused_space<Space> ? 0
+                            : axes_facts<typename Space::axes>::key(hash(spelled<typename Space::domain>())),
     Space::domain::actuated,
     duplicate_axis<Space>,
-    missing_limits<Space>,
+    is_refused_space<Space> ? -1 : missing_limits<Space>,
     missing_limits<Space> >= 0 && continuous_along<Space>[static_cast<std::size_t>(
                                       missing_limits<Space> < 0 ? 0 : missing_limits<Space>)],
     type_name<typename Space::domain::quantity>(),
@@ -118,6 +122,7 @@ inline constexpr space_info space_of = {
 
 // The rates must agree only if both spaces state one.
 constexpr bool matches(const space_info& a, const space_info& b) {
+  if (a.key == 0 || b.key == 0) return true;  // the compiler has refused one
   return a.key == b.key && (a.hz == b.hz || a.hz == 0 || b.hz == 0);
 }
 

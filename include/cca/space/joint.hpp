@@ -12,6 +12,7 @@
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/methods/circle.hpp>
 #include <cca/space/methods/linear.hpp>
 
@@ -65,7 +66,10 @@ struct joint_angles : detail::joint_domain {
 
     template <class Vector>
     constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
-      return Self((this->self().vector() + by).eval(), this->self().origin());
+      using space = typename Self::space;
+      if constexpr (detail::takes_vector<"plus", space, space::size, Vector>())
+        return Self((this->self().vector() + by).eval(), this->self().origin());
+      else return this->self();
     }
   };
 };
@@ -129,8 +133,11 @@ struct joint_stiffness : detail::joint_domain {
     // is the opposite.
     template <class Vector>
     constexpr auto torque(const Eigen::MatrixBase<Vector>& deflection) const {
-      using vector = typename Self::space::vector_type;
-      return vector(-this->self().vector().cwiseProduct(deflection));
+      using space = typename Self::space;
+      using vector = typename space::vector_type;
+      if constexpr (detail::takes_vector<"torque", space, space::size, Vector>())
+        return vector(-this->self().vector().cwiseProduct(deflection));
+      else return vector();
     }
   };
 };

@@ -19,6 +19,7 @@
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/cartesian.hpp>
 #include <cca/space/methods/rotation.hpp>
 #include <cca/space/sample.hpp>
@@ -81,6 +82,9 @@ struct expressed_in<wrench<At, Old>, In> {
   using type = wrench<At, In>;
 };
 
+template <class Space> concept Expressible =
+    Space::size % 3 == 0 && requires { typename expressed_in<typename Space::domain, void>::type; };
+
 template <class Type, class In>
 using express =
     sample<with_domain<typename Type::space, typename expressed_in<typename Type::space::domain, In>::type>>;
@@ -112,9 +116,8 @@ struct orientation {
   static constexpr bool actuated = false;
   static constexpr std::array<std::string_view, 4> coordinates{"qx", "qy", "qz", "qw"};
   static constexpr std::array<std::string_view, 4> coordinate_units{};  // a quaternion has no unit
-  static constexpr int width(int axes) {
-    return axes == 3 ? 4 : throw "cca::orientation: its axes are axes<x, y, z>";
-  }
+  static constexpr int axis_count = 3;
+  static constexpr int width(int) { return 4; }
   static constexpr double zero(int i, int) { return i == 3 ? 1 : 0; }
 
   template <class Self>
@@ -126,7 +129,17 @@ struct orientation {
     static Self from_roll_pitch_yaw(double roll, double pitch, double yaw) {
       return Self(rotation::from_roll_pitch_yaw<typename vector_3::Scalar>(roll, pitch, yaw));
     }
+    template <detail::Unfit<3> Vector>
+    static Self about(const Eigen::MatrixBase<Vector>&, double) {
+      (void)detail::takes_vector<"about", typename Self::space, 3, Vector>();
+      return Self();
+    }
     static Self from_rotation_vector(const vector_3& v) { return Self(rotation::exp(v)); }
+    template <detail::Unfit<3> Vector>
+    static Self from_rotation_vector(const Eigen::MatrixBase<Vector>&) {
+      (void)detail::takes_vector<"from_rotation_vector", typename Self::space, 3, Vector>();
+      return Self();
+    }
     // From an Eigen::Quaterniond or an Eigen::AngleAxisd.
     template <class Rotation>
     static Self from(const Rotation& r) {
@@ -170,6 +183,11 @@ struct orientation {
     Self plus(const vector_3& by) const {
       return Self(rotation::product(rotation::exp(by), this->self().vector()), this->self().origin());
     }
+    template <detail::Unfit<3> Vector>
+    Self plus(const Eigen::MatrixBase<Vector>&) const {
+      (void)detail::takes_vector<"plus", typename Self::space, 3, Vector>();
+      return this->self();
+    }
     vector_3 rotation_vector() const { return rotation::log(this->self().vector()); }
 
     // Slerp: the shorter way at constant angular velocity; this one at t = 0, `to` at t = 1.
@@ -189,6 +207,11 @@ struct orientation {
 
     // Rotates a vector, or a point about the origin of Frame.
     vector_3 rotate(const vector_3& v) const { return rotation::rotate(this->self().vector(), v); }
+    template <detail::Unfit<3> Vector>
+    vector_3 rotate(const Eigen::MatrixBase<Vector>&) const {
+      (void)detail::takes_vector<"rotate", typename Self::space, 3, Vector>();
+      return rotation_vector();
+    }
     template <detail::PositionSample Position>
     auto rotate(const Position& p) const {
       static_assert(
@@ -206,10 +229,12 @@ struct orientation {
     // pose.
     template <Sample Other>
     auto express(const Other& s) const {
-      static_assert(detail::holds_or_tells<(Other::space::size % 3 == 0),
-                                           detail::not_spatial<typename Other::space>>::value);
-      return detail::express<Other, Frame>(detail::rotated(this->self().vector(), s.vector()),
-                                           detail::older(this->self().origin(), s.origin()));
+      constexpr bool moves = detail::Expressible<typename Other::space>;
+      static_assert(detail::holds_or_tells<moves, detail::not_spatial<typename Other::space>>::value);
+      if constexpr (moves)
+        return detail::express<Other, Frame>(detail::rotated(this->self().vector(), s.vector()),
+                                             detail::older(this->self().origin(), s.origin()));
+      else return s;
     }
   };
 };

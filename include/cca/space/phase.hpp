@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cca/base/math.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/methods/circle.hpp>
 #include <cca/space/methods/linear.hpp>
 
@@ -28,8 +29,10 @@ struct phase : detail::linear_domain {
     }
     template <class Vector>
     constexpr Self advanced(const Eigen::MatrixBase<Vector>& by) const {
-      auto v = (this->self().vector() + by).eval();
-      for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_turn(v.coeff(i));
+      using space = typename Self::space;
+      auto v = this->self().vector();
+      if constexpr (detail::takes_vector<"advanced", space, space::size, Vector>()) v += by;
+      for (int i = 0; i < space::size; ++i) v.coeffRef(i) = wrap_turn(v.coeff(i));
       return Self(v, this->self().origin());
     }
 

@@ -14,6 +14,7 @@
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/orientation.hpp>
 
 namespace cca {
@@ -66,9 +67,8 @@ struct pose {
   static constexpr bool actuated = false;
   static constexpr std::array<std::string_view, 7> coordinates{"x", "y", "z", "qx", "qy", "qz", "qw"};
   static constexpr std::array<std::string_view, 7> coordinate_units{"m", "m", "m"};
-  static constexpr int width(int axes) {
-    return axes == 3 ? 7 : throw "cca::pose: its axes are axes<x, y, z>";
-  }
+  static constexpr int axis_count = 3;
+  static constexpr int width(int) { return 7; }
   static constexpr double zero(int i, int) { return i == 6 ? 1 : 0; }
 
   template <class Self>
@@ -121,6 +121,11 @@ struct pose {
       else return result(p.vector());
     }
     vector_3 transform(const vector_3& p) const { return moved(p); }
+    template <detail::Unfit<3> Vector>
+    vector_3 transform(const Eigen::MatrixBase<Vector>&) const {
+      (void)detail::takes_vector<"transform", typename Self::space, 3, Vector>();
+      return translation();
+    }
 
     // Takes a position in the frame of the thing whose pose this is, and gives the same point in Frame.
     template <detail::PositionSample Position>

@@ -11,6 +11,7 @@
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/origin.hpp>
 #include <cca/space/space.hpp>
 
@@ -37,10 +38,6 @@ struct stored_elsewhere {
 };
 template <class Vector>
 struct stored_elsewhere<Vector, false> {};
-
-// Of the wrong length. Where a length is known only at run time, Eigen checks it.
-template <class Vector, int Size> concept Unfit =
-    Vector::SizeAtCompileTime != Size && Vector::SizeAtCompileTime != Eigen::Dynamic;
 
 // Of a sample that is made from one.
 template <class Space, int Given>
@@ -115,10 +112,16 @@ public:
 
   template <class... Axes>
   constexpr auto on() const {
-    Eigen::Matrix<double, sizeof...(Axes), 1> part;
-    int i = 0;
-    ((part.coeffRef(i++) = (*this)[Axes{}]), ...);
-    return sample<sub_space<Space, Axes...>>(part, time);
+    static_assert(detail::holds_or_tells < Space::size == Space::axes::count,
+                  detail::no_number_per_axis < Space >> ::value);
+    if constexpr (Space::size == Space::axes::count) {
+      Eigen::Matrix<double, sizeof...(Axes), 1> part;
+      int i = 0;
+      ((part.coeffRef(i++) = (*this)[Axes{}]), ...);
+      return sample<sub_space<Space, Axes...>>(part, time);
+    } else {
+      return *this;
+    }
   }
 
 protected:

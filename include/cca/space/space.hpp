@@ -16,6 +16,7 @@
 #include <cca/space/dimension.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/messages/space_in_words.hpp>
 
 namespace cca {
 
@@ -118,22 +119,73 @@ struct domain_without_quantity {
 };
 
 template <class Axes, class Domain>
-constexpr auto axes_or_refused() {
-  static_assert(holds_or_tells<is_axes<Axes>, no_axes<Axes, Domain>>::value);
-  return std::type_identity<std::conditional_t<is_axes<Axes>, Axes, axes<x>>>{};
-}
+struct axes_of_other_count {
+  static constexpr void tell(text& m) {
+    m << "space.bad_axes: a space of " << type_name<Domain>() << " has " << Domain::axis_count
+      << " axes, as cca::axes<cca::x, cca::y, cca::z>, and this one has " << Axes::count;
+    if constexpr (Axes::count > 0) m << " (" << axes_in_words<Axes>() << ")";
+    m << ": its numbers are those of a whole, and none can be left out or added";
+  }
+};
+template <class Rate>
+struct no_rate {
+  static constexpr void tell(text& m) {
+    m << "rate.missing: the third argument of a space is its rate, as `cca::rate<1000>`, and `"
+      << type_name<Rate>() << "` is none; where none is meant, leave it out";
+  }
+};
+template <auto Hz>
+struct no_rate<rate<Hz>> : rate_not_positive<Hz> {};
+
+template <class Domain>
+constexpr bool is_domain = requires {
+  { Domain::width(1) } -> std::convertible_to<int>;
+  { Domain::zero(0, 1) } -> std::convertible_to<double>;
+  { Domain::actuated } -> std::convertible_to<bool>;
+};
+template <class Axes, class Domain>
+constexpr bool has_its_axes = is_axes<Axes>;
+template <class Axes, class Domain>
+  requires is_axes<Axes> && requires { Domain::axis_count; }
+constexpr bool has_its_axes<Axes, Domain> = Axes::count == Domain::axis_count;
+
+// Each of these functions gives a type in place of one that it refuses, so that there is one error and not
+// twenty.
 
 template <class Domain>
 constexpr auto domain_or_refused() {
-  constexpr bool is_domain = requires {
-    { Domain::width(1) } -> std::convertible_to<int>;
-    { Domain::zero(0, 1) } -> std::convertible_to<double>;
-    { Domain::actuated } -> std::convertible_to<bool>;
-  };
   constexpr bool has_quantity = requires { typename Domain::quantity; };
-  static_assert(holds_or_tells<is_domain, no_domain_type<Domain>>::value);
-  static_assert(holds_or_tells<(!is_domain || has_quantity), domain_without_quantity<Domain>>::value);
-  return std::type_identity<std::conditional_t<is_domain && has_quantity, Domain, no_domain>>{};
+  static_assert(holds_or_tells<is_domain<Domain>, no_domain_type<Domain>>::value);
+  static_assert(holds_or_tells<(!is_domain<Domain> || has_quantity), domain_without_quantity<Domain>>::value);
+  return std::type_identity<std::conditional_t<is_domain<Domain> && has_quantity, Domain, no_domain>>{};
+}
+
+template <class Axes, class Domain>
+constexpr auto axes_or_refused() {
+  if constexpr (!is_domain<Domain>) {
+    return std::type_identity<axes<x>>{};
+  } else if constexpr (!has_its_axes<Axes, Domain>) {
+    static_assert(holds_or_tells<is_axes<Axes>, no_axes<Axes, Domain>>::value);
+    static_assert(holds_or_tells<!is_axes<Axes>, axes_of_other_count<Axes, Domain>>::value);
+    using in_place = std::conditional_t<has_its_axes<axes<x, y, z>, Domain> && !has_its_axes<axes<x>, Domain>,
+                                        axes<x, y, z>, axes<x>>;
+    return std::type_identity<in_place>{};
+  } else {
+    return std::type_identity<Axes>{};
+  }
+}
+
+template <class Rate>
+constexpr bool is_rate = false;
+template <>
+inline constexpr bool is_rate<void> = true;  // none is stated
+template <auto Hz>
+constexpr bool is_rate<rate<Hz>> = Hz > 0;
+
+template <class Rate>
+constexpr auto rate_or_refused() {
+  static_assert(holds_or_tells<is_rate<Rate>, no_rate<Rate>>::value);
+  return std::type_identity<std::conditional_t<is_rate<Rate>, Rate, void>>{};
 }
 
 }  // namespace detail
@@ -143,7 +195,9 @@ template <class Domain, class Axes = void, class Rate = void>
 struct space {
   using domain = typename decltype(detail::domain_or_refused<Domain>())::type;
   using axes = typename decltype(detail::axes_or_refused<Axes, Domain>())::type;
-  using rate = Rate;
+  using rate = typename decltype(detail::rate_or_refused<Rate>())::type;
+  static constexpr bool is_refused =
+      !(std::is_same_v<domain, Domain> && std::is_same_v<axes, Axes> && std::is_same_v<rate, Rate>);
   static_assert(sizeof(axes) != 0);                        // a mistake in an axis is reported from here
   static constexpr int size = domain::width(axes::count);  // stored coordinates; an orientation has four
   using vector_type = Eigen::Matrix<double, size, 1>;

@@ -30,9 +30,8 @@ struct spatial_domain {
   using in = In;
   using frames = frame_list<At, In>;
   static constexpr bool actuated = false;
-  static constexpr int width(int axes) {
-    return axes == 3 ? 6 : throw "cca::twist, cca::wrench: the axes are axes<x, y, z>";
-  }
+  static constexpr int axis_count = 3;
+  static constexpr int width(int) { return 6; }
   static constexpr double zero(int, int) { return 0; }
 };
 
@@ -62,12 +61,15 @@ struct power_in_other_frame {
 };
 
 // The vector from the old point to the new one, along the axes of In.
-template <class In, class Lever>
+template <class In, class Space, class Lever>
 typename spatial_types<Lever>::vector lever_along(const Lever& lever) {
   if constexpr (Sample<Lever>) {
     using other = typename Lever::space::domain::frame;
     static_assert(holds_or_tells<SameFrame<In, other>, lever_in_other_frame<In, other>>::value);
     return lever.vector();
+  } else if constexpr (requires { Lever::SizeAtCompileTime; }) {
+    if constexpr (takes_vector<"moved_to", Space, 3, Lever>()) return lever;
+    else return {};
   } else {
     return lever;
   }
@@ -98,7 +100,8 @@ struct twist : detail::spatial_domain<At, In> {
     auto moved_to(const Lever& lever) const {
       using result = sample<with_domain<typename Self::space, twist<Point, In>>>;
       typename Self::space::vector_type v = this->self().vector();
-      v.template tail<3>() += rotation::cross(angular(), detail::lever_along<In>(lever));
+      v.template tail<3>() +=
+          rotation::cross(angular(), detail::lever_along<In, typename Self::space>(lever));
       return result(v, this->self().origin());
     }
   };
@@ -119,7 +122,7 @@ struct wrench : detail::spatial_domain<At, In> {
     auto moved_to(const Lever& lever) const {
       using result = sample<with_domain<typename Self::space, wrench<Point, In>>>;
       typename Self::space::vector_type v = this->self().vector();
-      v.template head<3>() -= rotation::cross(detail::lever_along<In>(lever), force());
+      v.template head<3>() -= rotation::cross(detail::lever_along<In, typename Self::space>(lever), force());
       return result(v, this->self().origin());
     }
 

@@ -1,8 +1,11 @@
 // EXPECT no_parameters: cca::controller::set: the component `walk\.step` \(step\) of walking has no `parameters` that could be set
 // EXPECT no_parameters_of_graph: cca::controller::set: the inner graph `walk` of walking has no `parameters` that could be set: name a component that has, as in `inner\.component`
-// LINES: 36
-// What `set` says of a path at which there are no parameters: it is looked for among the arguments of a
-// template, which the compilers tell at length.
+// EXPECT no_parameters_at_all: cca::controller::set: the component `to` \(sink\) of walking has no `parameters` that could be set
+// EXPECT no_parameters_by_value: cca::controller::set: the component `to` \(sink\) of walking has no `parameters` that could be set
+// EXPECT unknown_node: node\.unknown_path: walking has no node `walk\.stop`; did you mean `walk\.step`\?
+// LINES: 15
+// What `set` says of a path at which there are no parameters. Some of the lines are of this file: an
+// alias and a function between the mistake and where it is asked for.
 #include <cca/cca.hpp>
 
 #include "late.hpp"
@@ -39,6 +42,18 @@ template <class T>
 using no_parameters = decltype(set<"walk.step">(std::declval<late<walker, T>&>()));
 template <class T>
 using no_parameters_of_graph = decltype(set<"walk">(std::declval<late<walker, T>&>()));
+template <class T>
+using no_parameters_at_all = decltype(set<"to">(std::declval<late<walker, T>&>()));
+// A number, and not what stands in braces for all parameters.
+template <cca::fixed_string Path, class Controller>
+auto set_to_one(Controller& c) {
+  c.template set<Path>(1.0);
+  return 0;
+}
+template <class T>
+using no_parameters_by_value = decltype(set_to_one<"to">(std::declval<late<walker, T>&>()));
+template <class T>
+using unknown_node = decltype(set<"walk.stop">(std::declval<late<walker, T>&>()));
 template <class T>
 using none = late<walker, T>;
 

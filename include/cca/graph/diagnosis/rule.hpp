@@ -52,6 +52,7 @@ struct unheard_pattern {};  // it names nothing
 // A path for which a component asks [call, name, axis; input and output: of its link].
 struct asked_path {};
 // find the rate
+struct stated_rate {};  // [item, scope]
 struct second_rate {};  // a rate that is not the graph's
 struct known_rate {};   // [no item]
 // find the order

@@ -221,7 +221,7 @@ inline constexpr item_info item_of<expose<Inner, Outer>>{
     .kind = item_kind::expose, .from = Inner.view(), .to = Outer.view(), .from_hash = hash(Inner.view())};
 
 template <auto Hz>
-inline constexpr item_info item_of<rate<Hz>>{.kind = item_kind::rate, .hz = rate<Hz>::hz};
+inline constexpr item_info item_of<rate<Hz>>{.kind = item_kind::rate, .hz = static_cast<double>(Hz)};
 
 template <fixed_string From, fixed_string To, int Count>
 inline constexpr item_info item_of<require<latency<From, To>, beats<Count>>>{

@@ -73,7 +73,6 @@ constexpr std::uint64_t known_path() {
   else return report_of_path<Graph, Within, Path>.nearest;
 }
 
-// The type of the parameters at a path. Where there are none it takes anything, so that there is one error.
 template <class Graph, fixed_string Path>
 constexpr bool can_set() {
   constexpr int node = node_at<Graph>(Path.view());
@@ -107,11 +106,17 @@ struct never_stopped_alone {
                                           : "`cca::stoppable<...>` around its strategy in its node");
   }
 };
+// Whether there are parameters at a known path; if not, the compiler prints the sentence. It is asked in the
+// body of a function: among the arguments of a template, the compiler would tell it at length.
+template <class Graph, fixed_string Path>
+constexpr bool has_parameters() {
+  static_assert(holds_or_tells<(can_set<Graph, Path>() || !has_path<Graph>(hash(Path.view()))),
+                               node_without_parameters<Graph, Path>>::value);
+  return can_set<Graph, Path>();
+}
+// Their type. Where there are none it takes anything, so that there is one error.
 template <class Graph, fixed_string Path>
 struct parameters_at {
-  static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
-  static_assert(
-      holds_or_tells<!has_path<Graph>(hash(Path.view())), node_without_parameters<Graph, Path>>::value);
   struct type {
     template <class... Values>
     constexpr type(Values&&...) {}

@@ -23,9 +23,10 @@ public:
   // ---- any thread; false: an earlier request has not been taken yet ----
 
   // Other parameters of a component, as `controller::set`.
-  template <fixed_string Path, class Parameters = typename parameters_at<Graph, Path>::type>
-  bool set(const Parameters& parameters) {
-    if constexpr (can_set<Graph, Path>()) {
+  template <fixed_string Path>
+  bool set(const typename parameters_at<Graph, Path>::type& parameters) {
+    static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
+    if constexpr (has_parameters<Graph, Path>()) {
       constexpr int target = node_at<Graph>(Path.view());
       return request(asked::parameters, target, [&] {
         apply_parameters(known.template of<target>(), parameters, Path.view(), shadows::step_of(Path.view()));

@@ -11,6 +11,10 @@ constexpr flat_view find_rate(flat_view g) {
     for (int i = 0; i < g.scopes[s].graph->count; ++i)
       if (const auto& item = g.scopes[s].graph->items[i]; item.kind == item_kind::rate) f(item);
   };
+  for (int s = 0; s < g.scope_count; ++s)
+    for_each_rate(s,
+                  [&](const item_info& item) { check<when::stated_rate>(g, {.item = &item, .scope = s}); });
+  if (g.found.is_broken()) return g;
   for_each_rate(0, [&](const item_info& item) {
     if (g.hz > 0) check<when::second_rate>(g, {.item = &item});
     else g.hz = item.hz;
