@@ -1,6 +1,6 @@
 // What a compiled world asks of its scalar beside + - * /: choices without a branch.
 //
-// A scalar of your own (a dual number, lanes) brings these by argument-dependent look-up, besides comparisons
+// A scalar of your own (a dual number) brings these by argument-dependent look-up, besides comparisons
 // and `sine_and_cosine`: `select(condition, yes, no)`; `everywhere(condition)`, whether it holds in all
 // lanes; `root(x)`.
 #pragma once
