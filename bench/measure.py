@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, random, skills, arm, drives, dynamics, floating, derivatives, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, random, skills, arm, drives, dynamics, floating, derivatives, cold, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --only random --graphs 5   so many random graphs
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
@@ -44,6 +44,7 @@ SKILLS_FLAGS = (["-O2"], ["-O3"])
 SKILLS_BEATS = (2000, 14000)  # begins when the robot sees the ball; then every skill runs
 ARM_FORMS = ("graph", "by_hand", "shared")
 ARM_BEATS = (3072, 6144)  # the second time through what is played back
+COLD_BEATS = 3000
 SYNTHETIC_BEATS = (200, 600)  # whole periods of the slowest clock, few enough for 300 virtual components under callgrind
 FAN_OUTS = (1, 2, 4, 8, 16)
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
@@ -343,6 +344,23 @@ def derivatives(work):
     return rows
 
 
+def cold(work):
+    """Times of recorded dynamics and of loops, one call after another and once between other code."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "cold"
+        build(compiler, ["-O2"], HERE / "cold_dynamics.cpp", program)
+        run([str(program), "check"])
+        symbols = [line.split(maxsplit=3) for line in run(["nm", "-S", "-C", str(program)]).stdout.splitlines()]
+        lines = run([str(program), str(COLD_BEATS)]).stdout.splitlines()
+        for quantity, body, operations, recording, *times in (line.split("\t") for line in lines):
+            size = {int(s[1], 16) for s in symbols if len(s) == 4 and f"::{recording}<bench::{body}" in s[3] and "::evaluate<" in s[3]}
+            rows.append({"quantity": quantity, "body": body, "compiler": compiler, "operations": int(operations), "bytes": max(size),
+                         "ns": {way: [float(t) for t in times[2 * i:2 * i + 2]] for i, way in enumerate(("warm", "code", "data"))}})
+            print("cold", rows[-1], flush=True)
+    return rows
+
+
 def learning(work):
     """A beat of each adaptive module while another thread learns a batch, and while nothing is learned."""
     rows = []
@@ -527,7 +545,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "random": random_graph, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "floating": floating, "derivatives": derivatives, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "random": random_graph, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "floating": floating, "derivatives": derivatives, "cold": cold, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

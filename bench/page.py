@@ -285,6 +285,30 @@ Each cell reads recorded / loops.
 {measured(part)}"""
 
 
+def cold(part):
+    def cell(r, way):
+        recorded, loops = r["ns"][way]
+        return f"{number(recorded)} / {number(loops)} (**{recorded / loops:.2f}**)"
+
+    rows = [[r["quantity"], r["body"], r["compiler"], f"{r['operations']:,}", f"{r['bytes'] / 1024:.1f}", *(cell(r, way) for way in ("warm", "code", "data"))]
+            for r in part["data"]]
+    return f"""## Dynamics with cold caches
+
+A component calls a function of dynamics once in a beat; the rest of the beat takes its place in the caches.
+`bench/cold_dynamics.cpp` measures the arm of seven joints and the quadruped of twelve, recorded and by the loops over the links, with the sines of the angles, as nanoseconds of a call:
+
+- warm: one call after another
+- other code: after 256 KB of instructions, more than the processor's first cache holds; the recording comes from the second
+- data, too: after 8 MB of data and that code; it comes from the third
+
+Each cell reads recorded / loops (ratio), the median of 3,000 beats, less a call that does nothing.
+The recordings are sorted by size.
+The library records up to 2,300 operations ([decision 40](decisions/0040-recorded-dynamics.md)); the last one is larger, and shows what the limit is for.
+
+{table(["quantity", "body", "compiler", "operations", "KB of code", "warm, ns", "other code, ns", "data, too, ns"], rows)}
+{measured(part)}"""
+
+
 def learning(part):
     rows = [[r["module"], r["compiler"], number(r["resting"]), number(r["batch"]), number(r["batch"] - r["resting"])] for r in part["data"]]
     return f"""## Learning beside the loop
@@ -530,6 +554,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(floating(figures["floating"]))
     if "derivatives" in figures:
         parts.append(derivatives(figures["derivatives"]))
+    if "cold" in figures:
+        parts.append(cold(figures["cold"]))
     if "learning" in figures:
         parts.append(learning(figures["learning"]))
     if "policies" in figures:

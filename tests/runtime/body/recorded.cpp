@@ -1,5 +1,6 @@
 // What is recorded (robot/recorded/) against the loops over the links, which larger bodies use: the same
-// numbers to 1e-12 of the largest entry, and a number that is NaN or infinite does not come out finite.
+// numbers to 1e-12 of the largest entry, a number that is NaN or infinite does not come out finite, and what
+// is too large is not recorded.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -18,6 +19,35 @@ using namespace body_test;
 namespace cd = cca::detail;
 
 namespace {
+
+// So many operations, of one input.
+template <int Operations>
+struct powers {
+  static constexpr std::array sizes{1}, results{1};
+  static constexpr bool is_small = true;
+  static constexpr int group(int input) { return input; }
+  static constexpr int owner(int) { return -1; }
+  static constexpr bool may_vanish(int) { return false; }
+  static constexpr void record(cd::recorder& r) {
+    cd::recorded x = r.input(0);
+    for (int i = 0; i < Operations; ++i) x = x * r.input(0);
+    r.output(x);
+  }
+};
+static_assert(cd::most_kept_operations == 2300);
+static_assert(cd::tape_of<powers<cd::most_kept_operations>>.operations == cd::most_kept_operations);
+static_assert(cd::is_recorded<powers<cd::most_kept_operations>>());
+static_assert(!cd::is_recorded<powers<cd::most_kept_operations + 1>>());
+static_assert(!cd::is_recorded<powers<cd::most_operations + 1>>());  // more than the recorder holds
+
+// On both sides of the limit.
+using oncilla = cca::robots::oncilla::legged_body;
+static_assert(cd::tape_of<cd::recorded_floating_forward_dynamics<oncilla>>.operations > 2000);
+static_assert(cd::is_recorded<cd::recorded_floating_forward_dynamics<oncilla>>());
+static_assert(cd::is_recorded<cd::recorded_forward_dynamics<random_tree_body, false>>());
+static_assert(!cd::is_recorded<cd::recorded_forward_dynamics<random_tree_body, true>>());
+static_assert(!cd::is_recorded<cd::recorded_floating_forward_dynamics<random_tree_body>>());
+static_assert(!cd::is_recorded<cd::recorded_inverse_dynamics<humanoid, false>>());
 
 // A state, and everything at it: by the library, and by the loops, of sines of the C library.
 template <class Body>

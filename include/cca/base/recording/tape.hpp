@@ -25,13 +25,16 @@
 
 namespace cca::detail {
 
-// More operations than that make code of more than 16 KiB, half of a usual processor's nearest cache: such a
-// tape is full, as is one whose recorder was. An algorithm may state another number, `most_kept`.
-inline constexpr int usually_kept = 1500, most_groups = 128;
+// A tape of more operations is full, as is one whose recorder was: then loops take over. So many make 25 to
+// 33 KB of code, what a usual processor's nearest cache holds. Up to here a recording is faster than loops
+// where its code comes from the second cache, as in a beat, and takes 0.8 to 1.2 of their time where it comes
+// from the third; a recording of 38 KB takes 1.3 to 1.7 of it there (docs/performance.md, "Dynamics with cold
+// caches"). An algorithm may state its own `most_kept`, to measure what lies beyond.
+inline constexpr int most_kept_operations = 2300, most_groups = 128;
 template <class Algorithm>
 inline constexpr int most_kept_of = [] {
   if constexpr (requires { Algorithm::most_kept; }) return Algorithm::most_kept;
-  else return usually_kept;
+  else return most_kept_operations;
 }();
 
 template <int MostKept>

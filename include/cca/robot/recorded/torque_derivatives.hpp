@@ -252,7 +252,6 @@ template <class Body, bool Moving>
 struct recorded_torque_derivatives : recorded_quantity<Body, 2, Moving ? 4 : 0> {
   using q = recorded_quantity<Body, 2, Moving ? 4 : 0>;
   static constexpr int n = q::n;
-  static constexpr int most_kept = 2300;  // 32 KB of code
   static constexpr bool is_small = q::is_small && n + 3 * n * n <= static_cast<int>(recorder::most_outputs);
   static constexpr std::array results{n, n* n, n* n, n* n};
   // The base owns a bit, too: the mass matrix does not depend on it.
