@@ -3,6 +3,7 @@
 
 include(GNUInstallDirs)
 include(${CMAKE_CURRENT_LIST_DIR}/cca-compiled.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/cca-same-bits.cmake)
 
 # cca_add_headers(<name> <root>: the folder that users include from; FILES...)
 # Makes the target cca::<name>. Its headers are installed; the target all_verify_interface_header_sets compiles each alone.
@@ -58,6 +59,7 @@ find_package(Eigen3 3.4 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED CONFIG)
 cca_add_headers(cca ${include} ${headers})
 target_link_libraries(cca INTERFACE Eigen3::Eigen Boost::headers)
+cca_same_bits_for(cca)
 
 if("config" IN_LIST CCA_COMPONENTS)
   find_package(tomlplusplus REQUIRED CONFIG)

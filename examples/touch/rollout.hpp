@@ -7,23 +7,13 @@
 #include <cca/sim/robot.hpp>
 
 #include "architecture.hpp"
+#include "learn.hpp"
 #include "referee.hpp"
 #include "scene.hpp"
 
 namespace touch {
 
 struct simulated : architecture<cca::sim::robot<arm::description>> {};
-
-// Learns what was shown; between two beats.
-template <class Controller>
-void learn(Controller& c) {
-  auto& module = c.template get<"repeat.module">();
-  const auto movement = c.template get<"recorder">().movement();
-  module.learning.collect();
-  module.demonstrate(movement, recorder::interval);
-  module.p.duration = recorder::interval * static_cast<double>(movement.size() - 1);
-  module.learning.hand_over(module.learning.begin_batch(module.p.settings)());
-}
 
 // Where the arm is: in the simulator, as a node of the controller.
 struct in_simulator {

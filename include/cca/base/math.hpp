@@ -8,3 +8,6 @@
 #include <cca/base/math/floats.hpp>
 #include <cca/base/math/logarithms.hpp>
 #include <cca/base/math/roots.hpp>
+#ifdef CCA_SAME_BITS  // by CMake's target cca::same_bits
+#include <cca/base/math/same_bits.hpp>
+#endif

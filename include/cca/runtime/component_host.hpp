@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include <cca/base/math.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
@@ -36,6 +37,9 @@ public:
   // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
     check(transition::load, "load()");
+#ifdef CCA_SAME_BITS
+    require_same_bits();
+#endif
     tell_parameters(self());  // before the hooks, which may read them
     visit([]<class C>(int node, C& component) {
       if constexpr (HasParameters<C>)
