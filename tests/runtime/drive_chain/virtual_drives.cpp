@@ -1,7 +1,9 @@
 // The laws of a virtual drive for every family, and what only one family does.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <string_view>
 
 #include <cca/hardware/virtual_cia402.hpp>
@@ -56,6 +58,22 @@ struct old : odrive_of<odrive<4, odrive_mode::position, odrive_firmware::v0_5>,
                        0x4,
                        drive_fault::over_voltage> {};
 
+// Its encoder counts one turn, before a gear of 6.
+template <class Virtual>
+struct one_turn : Virtual {
+  static constexpr double width = 2 * std::numbers::pi / 6;
+  drive_frames answer(drive_motion m) {
+    m.position = std::remainder(m.position, width);
+    return Virtual::answer(m);
+  }
+};
+using turning = odrive<5, odrive_mode::torque>;
+struct wrapping
+    : odrive_rig<turning,
+                 rig<one_turn<virtual_odrive<turning, 50'000'000>>, 0x8, drive_fault::position_sensor>> {
+  static constexpr double wraps = one_turn<virtual_odrive<turning, 50'000'000>>::width;
+};
+
 struct n1 {
   static constexpr std::string_view name = "n1";
   static constexpr double stiffness = 80, damping = 2, torque = 12, timeout = 0.02;
@@ -106,7 +124,7 @@ using laws::virtual_drives::gives_way;
 }  // namespace
 
 TEST_SUITE("virtual drives") {
-  TEST_CASE_TEMPLATE("the laws", Rig, ak, damiao, by_position, by_velocity, by_torque, old,
+  TEST_CASE_TEMPLATE("the laws", Rig, ak, damiao, by_position, by_velocity, by_torque, wrapping, old,
                      moteus_rig<moteus_timeout::stop>, moteus_rig<moteus_timeout::zero_velocity>,
                      moteus_rig<moteus_timeout::brake>, strong, small, with_fault, with_quick_stop) {
     laws::virtual_drive<Rig>();

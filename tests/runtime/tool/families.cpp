@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include <doctest/doctest.h>
 
@@ -22,7 +23,7 @@ struct family {
   bool damps_by_itself;  // between two commands
   double torque = 0.5;   // N m, of jog
 };
-// The largest torque of the last one (6072h) is 0.8 N m.
+// The largest torque of `cia402` (6072h) is 0.8 N m.
 constexpr std::array families{
     family{"mit:ak80-9:3", "  mit:3  answers 000#03", true},
     family{"damiao:12.5/45/20:7", "  mit:7  answers 000#07", true},
@@ -33,6 +34,12 @@ constexpr std::array families{
     family{"robstride:rs01:5", "  robstride:5  answers 020005FD#", true},
     family{"cia402-torque:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", false},
     family{"cia402:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", true, 0.9}};
+
+family family_named(std::string_view name) {
+  const auto at = std::ranges::find(families, name, [](const family& f) { return std::string_view(f.name); });
+  REQUIRE(at != families.end());
+  return *at;
+}
 
 double law_of(any_virtual& v, std::int64_t now) {
   const hw::drive_command c = v.law(now);
@@ -163,7 +170,8 @@ TEST_SUITE("every family") {
     std::remove(file.c_str());
   }
   TEST_CASE("a CANopen drive in another mode, or with a larger torque setting, is not enabled") {
-    const family torque = families[7], position = families[8];
+    const family torque = family_named("cia402-torque:4096/0.8:9"),
+                 position = family_named("cia402:4096/0.8:9");
     rig other({position.name});
     const auto as_torque_drive = drive_named(torque.name);
     jog_order o{

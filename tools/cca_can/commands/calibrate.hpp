@@ -131,6 +131,10 @@ ending calibrate(
     wrong = "it answered only " + std::to_string(answers) + " of 50 times";
   if (wrong.empty() && !(spread < 0.005))
     wrong = "it moves, by " + std::to_string(spread) + " rad: hold it still";
+  if (wrong.empty() && t.turned() != 0)
+    wrong =
+        "its position begins again just here, so a controller can't know on which side it starts: mount "
+        "the drive otherwise";
   if (wrong.empty() && !(std::abs(offset) <= 1))
     wrong = std::string(numbers) + ": more than 1 rad; is the sign, the gear or the angle wrong?";
   if (!wrong.empty()) {

@@ -27,7 +27,7 @@ ending enable(Bus& bus, const std::string& name, any_drive& drive, double second
       say.out << drive.text << "  " << text_of(t.report()) << '\n' << std::flush;
       shown += 500 * ms;
     }
-    wrong = t.cycle(drive.set_point({.position = where}, 0).frames);
+    wrong = t.cycle(t.set_point({.position = where}, 0).frames);
   }
   const bool answered = t.disable();
   say.out << drive.text << (answered ? "  disabled\n" : "  told to disable, and does not answer\n");

@@ -5,14 +5,14 @@
 // of a second, never exceeds the speed, and never leaves the range. It never gets further from the drive's
 // position than half of the torque pulls. So a joint that is held gets half of the torque, and does not jump
 // when it is released. The torque bounds what a command makes of the last reported position and speed:
-//   MIT, moteus                  the drive gets gains, reduced where they would make more torque. Until the
+//   drives that take gains       the drive gets gains, reduced where they would make more torque. Until the
 //                                next command, 5 ms and an answer's way later, the drive's own law goes on: a
 //                                joint that is pushed also meets stiffness times its way and damping times
 //                                its change of speed (0.32 N m above 0.5 at 3 N m on 0.01 kg m^2). A moteus
 //                                gets the bound too, and always keeps it
-//   ODrive, CiA 402 by torque    the law is computed here, and its torque cut at the bound. The drive makes
+//   drives by torque             the law is computed here, and its torque cut at the bound. The drive makes
 //                                no more, whatever happens meanwhile; nor does it damp what happens meanwhile
-//   CiA 402 by position          the drive's own servo pulls, with its own largest torque (6072h), which must
+//   drives by position           the drive's own servo pulls, with its own largest torque (6072h), which must
 //                                be set to no more
 #pragma once
 
@@ -75,12 +75,40 @@ inline hw::drive_command next_jog_command(
   return c;
 }
 
+inline constexpr double jog_slack = 0.05;  // rad beyond the range, for overshoot
+
+inline double fastest(double speed) { return 2 * speed + 0.5; }  // rad/s, before it is disabled
+// rad, the way between two reports: as fast, and as long as a drive may be silent.
+inline double longest_way(double speed) { return fastest(speed) * 1e-9 * detail::silence; }
+
+// Why its reports could not show in time that it leaves its range; empty: they can. Over the end of what it
+// reports only a drive can go that gets torque alone, and is known to wrap there: the law of any other one
+// meets a position that has jumped. So each other one must be disabled before it gets there, also if the last
+// frame came as long ago as a drive may be silent.
+inline trouble beyond_reports(const jog_limits& l, const any_drive& d) {
+  if (!(d.wraps > 0)) return {};
+  char text[300] = "";
+  constexpr double silence = 1e-9 * detail::silence;
+  const double end = d.wraps / 2, way = longest_way(l.speed), within = std::max(0.0, end - jog_slack - way);
+  if (!(way < end))
+    std::snprintf(text, sizeof text,
+                  "its position begins again after %.4f rad, and it can turn by half of that in the %.1f s "
+                  "that it may be silent: state less than %.3f rad/s",
+                  d.wraps, silence, std::max(0.0, (end / silence - 0.5) / 2));
+  else if ((d.may_stay || !d.takes_torque_alone()) && !(l.low >= -within && l.high <= within))
+    std::snprintf(
+        text, sizeof text,
+        "the positions that it reports end at %.4f and %.4f rad, where they stay or begin again: at "
+        "%.3f rad/s state a range within %.4f to %.4f rad",
+        -end, end, l.speed, -within, within);
+  return text;
+}
+
 // Why the drive must be disabled; empty: all is well.
 inline trouble beyond_limits(const jog_limits& l, const hw::drive_report& at) {
-  constexpr double slack = 0.05;  // rad, for overshoot
-  if (!(at.position >= l.low - slack && at.position <= l.high + slack))
+  if (!(at.position >= l.low - jog_slack && at.position <= l.high + jog_slack))
     return "it left its range: " + std::to_string(at.position) + " rad";
-  if (std::abs(at.velocity) > 2 * l.speed + 0.5)
+  if (std::abs(at.velocity) > fastest(l.speed))
     return "it is faster than twice the speed: " + std::to_string(at.velocity) + " rad/s";
   return {};
 }
@@ -105,7 +133,8 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
   if (!say.confirmed(what)) return not_confirmed;
 
   talk t(bus, drive, time, 5 * ms);
-  trouble wrong = t.ask_position();
+  trouble wrong = beyond_reports(l, drive);
+  if (wrong.empty()) wrong = t.ask_position();
   const double start = t.report().position;
   if (o.relative) o.goal += start;
   if (wrong.empty()) wrong = t.ask_settings(l.torque);
@@ -120,10 +149,11 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
   }
 
   const auto order = [&](const hw::drive_command& c) {
-    return drive.set_point(drive.takes_torque_alone() ? as_torque(c, l, t.report()) : c, l.torque);
+    return t.set_point(drive.takes_torque_alone() ? as_torque(c, l, t.report()) : c, l.torque);
   };
   wrong = t.enable();
   jog_target target{.position = t.report().position};
+  double last = target.position;
   const double way = std::abs(o.goal - target.position);
   const std::int64_t from = time.now();
   const std::int64_t longest = from + static_cast<std::int64_t>((2 * way / l.speed + 3) * 1e9);
@@ -138,6 +168,11 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
     if (!s.finite) wrong = "it reports numbers that are not finite";
     else wrong = t.cycle(s.frames);
     if (wrong.empty()) wrong = beyond_limits(l, t.report());
+    if (wrong.empty() && !(std::abs(t.report().position - last) <= jog_slack + longest_way(l.speed)))
+      wrong = "its position jumped, from " + std::to_string(last) + " to " +
+              std::to_string(t.report().position) +
+              " rad: does it begin again after a range, which cca-can does not know of this family?";
+    last = t.report().position;
     if (!there && target.position == o.goal) there = true, arrived = time.now();
     if (!there && time.now() > longest)
       wrong = "it does not get there: something holds it, or the torque is too small";
@@ -148,9 +183,9 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
     const trouble now = t.cycle(order({.position = t.report().position, .damping = damping}).frames);
     if (!now.empty() && !time.end_wanted()) wrong = now;
   }
-  const std::string last = text_of(t.report());
+  const std::string at_last = text_of(t.report());
   const bool answered = t.disable();
-  say.out << drive.text << "  " << last << '\n'
+  say.out << drive.text << "  " << at_last << '\n'
           << drive.text << (answered ? "  disabled\n" : "  told to disable, and does not answer\n");
   if (wrong.empty()) return done;
   say.error << "cca-can: " << drive.text << " on " << name << ": " << wrong << '\n';

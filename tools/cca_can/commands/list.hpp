@@ -1,8 +1,7 @@
 // cca-can list: which drives are on a bus. It listens first; with --ask it then asks the numbers of a family.
 //
-// The questions can't move a motor: a moteus reads registers, a CANopen drive an object; an MIT drive is told
-// to leave the motor mode and a RobStride to stop, which takes its torque away, and answers. A number is not
-// asked if somebody sends to such a drive, or if another frame was heard under its id: a frame can mean
+// The questions (`ask` in drives/addresses.hpp) can't move a motor; some take its torque away. A number is
+// not asked if somebody sends to such a drive, or if another frame was heard under its id: a frame can mean
 // different things to different families.
 #pragma once
 

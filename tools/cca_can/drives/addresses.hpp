@@ -2,7 +2,7 @@
 // those that can't move it.
 //
 // `to_real` gives a frame for number 1 the drive's number, `to_unit` takes it away again; false: the frame is
-// not this drive's.
+// not this drive's. `least_number` and `most_number`: which numbers such a drive can have.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +39,8 @@ struct mit_address {
                                         : Firmware == hw::mit_firmware::original ? "MIT, original firmware"
                                                                                  : "MIT, AK firmware";
   static constexpr bool needs_fd = false, clocked = false;
+  static constexpr std::uint32_t least_number = 1,
+                                 most_number = Firmware == hw::mit_firmware::damiao ? 15 : 255;
 
   void to_real(hw::can_frame& f) const {
     if (f.id == hw::standard(1)) {
@@ -76,6 +78,7 @@ struct odrive_address {
   std::uint32_t number = 0;
   static constexpr const char* family = "ODrive";
   static constexpr bool needs_fd = false, clocked = false;
+  static constexpr std::uint32_t least_number = 0, most_number = 0xFFFFFF;
 
   void to_real(hw::can_frame& f) const { f.id = {number << 5 | (f.id.number & 31), number > 63}; }
   bool to_unit(hw::can_frame& f) const {
@@ -105,6 +108,7 @@ struct moteus_address {
   std::uint32_t number = 1;
   static constexpr const char* family = "moteus";
   static constexpr bool needs_fd = true, clocked = false;
+  static constexpr std::uint32_t least_number = 1, most_number = 127;
 
   void to_real(hw::can_frame& f) const {
     if (f.id.number & 0x8000) f.id.number = 0x8000 | number;
@@ -141,6 +145,7 @@ struct robstride_address {
   static constexpr std::uint32_t unit_host = 0xFD;  // of `unit_robstride`
   static constexpr const char* family = "RobStride";
   static constexpr bool needs_fd = false, clocked = false;
+  static constexpr std::uint32_t least_number = 1, most_number = 127;
 
   void to_real(hw::can_frame& f) const { move(f, 1, unit_host, number, host); }
   bool to_unit(hw::can_frame& f) const { return move(f, number, host, 1, unit_host); }
@@ -200,6 +205,7 @@ struct cia402_address {
   std::uint32_t number = 1;
   static constexpr const char* family = "CiA 402";
   static constexpr bool needs_fd = false, clocked = true;
+  static constexpr std::uint32_t least_number = 1, most_number = 127;
 
   void to_real(hw::can_frame& f) const {
     // NMT is for all nodes: the number stands in the data.

@@ -4,6 +4,7 @@
 // "unit drive"); here its frames get their real number, and its numbers their real size.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,6 +20,10 @@ namespace hw = cca::hardware;
 // 1 of a unit drive's numbers in SI units.
 struct drive_scale {
   double position = 1, velocity = 1, torque = 1, stiffness = 1, damping = 1;
+  // rad, the width of the range of the positions that it reports, half of it on each side of 0: at its end
+  // the position begins again. 0: it goes on.
+  double wraps = 0;
+  bool may_stay = false;  // at the end of that range, instead: it depends on the firmware
 
   hw::drive_command to_drive(const hw::drive_command& c) const {
     return {c.position / position, c.velocity / velocity, c.torque / torque, c.stiffness / stiffness,
@@ -42,6 +47,8 @@ public:
   std::uint8_t uses = 0;  // drive_quantity: what a set point has
   bool needs_fd = false, clocked = false;
   bool scaled = true;  // false: its ranges are unknown, so only its position is known
+  double wraps = 0;    // of drive_scale; what it reports and takes is within this range, `talk` unwraps it
+  bool may_stay = false;
 
   virtual ~any_drive() = default;
   bool takes_gains() const { return (uses & hw::of_stiffness) != 0; }
@@ -77,6 +84,8 @@ public:
     family = Address::family;
     needs_fd = Address::needs_fd;
     clocked = Address::clocked;
+    wraps = s.wraps;
+    may_stay = s.may_stay;
   }
 
   hw::drive_frames ask_settings() const override {
@@ -179,18 +188,28 @@ public:
     hw::drive_frames all;
     if (told) all.add(*told), told.reset();
     for (hw::can_frame f :
-         drive.answer({motor.now.position / scale.position, motor.now.velocity / scale.velocity,
+         drive.answer({(motor.now.position - turned()) / scale.position, motor.now.velocity / scale.velocity,
                        motor.now.torque / scale.torque})) {
       address.to_real(f);
       all.add(f);
     }
     return all;
   }
-  hw::drive_command law(std::int64_t now) override { return scale.from_drive(drive.law(now)); }
+  hw::drive_command law(std::int64_t now) override {
+    hw::drive_command c = scale.from_drive(drive.law(now));
+    c.position += turned();
+    return c;
+  }
   void go_silent(bool yes) override { drive.go_silent(yes); }
   void fail(std::uint32_t code) override { drive.fail(code); }
 
 private:
+  // How far the motor is from what a drive that wraps reports: whole widths.
+  double turned() const {
+    if (scale.wraps == 0 || scale.may_stay) return 0;
+    return scale.wraps * std::round(motor.now.position / scale.wraps);
+  }
+
   Address address;
   drive_scale scale;
   Virtual drive{};

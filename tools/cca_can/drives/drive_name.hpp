@@ -50,6 +50,13 @@ drive_scale scale_of() {
           top(cca::damping())};
 }
 
+// At the end of its range such a drive stays or begins again, as its firmware does.
+inline drive_scale stays_or_wraps(drive_scale s) {
+  s.wraps = 2 * s.position;
+  s.may_stay = true;
+  return s;
+}
+
 struct drive_parts {
   std::string family, ranges;
   std::uint32_t number = 0, master = 0;  // master: the id of an MIT drive's answers, or a RobStride's host
@@ -78,13 +85,8 @@ inline drive_parts parts_of(const std::string& text) {
   if (robstride) p.master = robstride_address::unit_host;
   if (number.size() > 2 || (number.size() == 2 && !mit && !robstride))
     no_drive(text, "only MIT drives and RobStrides answer under another id, `@ID`");
-  const std::uint32_t most = p.family == "damiao"             ? 15
-                             : mit                            ? 255
-                             : p.family.starts_with("odrive") ? 0xFFFFFF
-                                                              : 127;
-  p.number = drive_number(text, number[0], most);
+  p.number = drive_number(text, number[0], 99'999'999);
   if (number.size() == 2) p.master = drive_number(text, number[1], robstride ? 0xFF : 0x7FF);
-  if (p.number == 0 && !p.family.starts_with("odrive")) no_drive(text, "its number is at least 1");
   if ((mit || robstride) && p.master == p.number)
     no_drive(text, "it can't answer under the id that it listens to");
   return p;
@@ -135,10 +137,22 @@ inline drive_scale robstride_scale(const std::string& text, const std::string& r
   return {n[0], n[1], n[2], n[3], n[4]};
 }
 
+template <class Address>
+void check_number(const std::string& text, std::uint32_t number) {
+  if (number < Address::least_number)
+    no_drive(text, "its number is at least " + std::to_string(Address::least_number));
+  if (number > Address::most_number)
+    no_drive(text, "its number is at most " + std::to_string(Address::most_number));
+}
+
 // Calls f(type of drive, address, scale), with f.template operator()<Drive>(address, scale).
 template <class F>
 auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&& f) {
   const drive_parts p = parts_of(text);
+  const auto give = [&]<class Drive, class Address>(const Address& at, const drive_scale& s) {
+    check_number<Address>(text, p.number);
+    return f.template operator()<Drive>(at, s);
+  };
   const auto ranges = [&](const char* what) {
     if (p.ranges.empty() && ranges_needed)
       no_drive(text, std::string("it needs ") + what + ", which no frame reports: " + p.family +
@@ -149,7 +163,8 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
     const drive_scale s = ranges("the ranges of its firmware")
                               ? mit_scale(text, p.ranges, Firmware == hw::mit_firmware::ak)
                               : drive_scale{12.5};
-    return f.template operator()<unit_mit<Firmware>>(mit_address<Firmware>{p.number, p.master}, s);
+    return give.template operator()<unit_mit<Firmware>>(mit_address<Firmware>{p.number, p.master},
+                                                        stays_or_wraps(s));
   };
   if (p.family == "mit") return mit.template operator()<hw::mit_firmware::ak>();
   if (p.family == "mit-original") return mit.template operator()<hw::mit_firmware::original>();
@@ -160,21 +175,22 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
       const auto n = numbers_of(text, p.ranges, 2, 2, "kp and kd as `80/2`");
       s.stiffness = n[0], s.damping = n[1];
     }
-    return f.template operator()<unit_moteus>(moteus_address{p.number}, s);
+    return give.template operator()<unit_moteus>(moteus_address{p.number}, s);
   }
   if (p.family == "robstride") {
     const drive_scale s =
         ranges("the ranges of its model") ? robstride_scale(text, p.ranges) : drive_scale{12.57};
-    return f.template operator()<unit_robstride>(robstride_address{p.number, p.master}, s);
+    return give.template operator()<unit_robstride>(robstride_address{p.number, p.master}, stays_or_wraps(s));
   }
   if (p.family == "cia402" || p.family == "cia402-torque") {
     drive_scale s;
     if (ranges("its counts a turn and its rated torque")) {
       const auto n = numbers_of(text, p.ranges, 2, 2, "counts a turn and rated torque as `4096/0.8`");
       s.position = s.velocity = hw::detail::radians_in_turn / n[0], s.torque = n[1];
+      s.wraps = 4294967296.0 * s.position;  // it counts in 32 bits
     }
-    if (p.family == "cia402") return f.template operator()<unit_cia402>(cia402_address{p.number}, s);
-    return f.template operator()<unit_cia402_torque>(cia402_address{p.number}, s);
+    if (p.family == "cia402") return give.template operator()<unit_cia402>(cia402_address{p.number}, s);
+    return give.template operator()<unit_cia402_torque>(cia402_address{p.number}, s);
   }
   if (!p.ranges.empty() && p.family.starts_with("odrive"))
     no_drive(text, "an ODrive has no ranges; write " + p.family + ":NUMBER");
@@ -183,8 +199,8 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
       no_drive(text, "with firmware 0.6 node 63 means `not addressed`: such a drive takes no command");
     const odrive_address at{p.number};
     if (by_torque)
-      return f.template operator()<hw::odrive<1, hw::odrive_mode::torque, Firmware>>(at, drive_scale{});
-    return f.template operator()<hw::odrive<1, hw::odrive_mode::position, Firmware>>(at, drive_scale{});
+      return give.template operator()<hw::odrive<1, hw::odrive_mode::torque, Firmware>>(at, drive_scale{});
+    return give.template operator()<hw::odrive<1, hw::odrive_mode::position, Firmware>>(at, drive_scale{});
   };
   if (p.family == "odrive") return odrive.template operator()<hw::odrive_firmware::v0_6>();
   if (p.family == "odrive-0.5") return odrive.template operator()<hw::odrive_firmware::v0_5>();

@@ -1,4 +1,7 @@
 // Talking to one drive on a bus, cycle by cycle: send, wait, hear, and find out what went wrong.
+//
+// A position that wraps goes on here, from the first report on: what `report` says and `set_point` takes has
+// no jump, while the frames stay within the drive's range.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +12,16 @@
 #include <string>
 
 #include <cca/hardware/link_supervisor.hpp>
+#include <cca/hardware/position_unwrap.hpp>
 
 #include "any_drive.hpp"
 #include "../pace.hpp"
 
 namespace cca_can {
+
+namespace detail {
+inline constexpr std::int64_t silence = 100 * ms;  // after which a drive counts as lost
+}
 
 // Why it can't go on; empty: all is well.
 using trouble = std::string;
@@ -37,17 +45,22 @@ inline std::string text_of(const hw::drive_report& r) {
 template <hw::CanBus Bus>
 class talk {
 public:
-  static constexpr std::int64_t silence = 100 * ms;
-
   talk(Bus& b, any_drive& d, pace& p, std::int64_t cycle_time)
-      : bus(b), drive(d), time(p), period(cycle_time) {
+      : bus(b), drive(d), time(p), period(cycle_time), unwrap(d.wraps) {
     next = time.now();
     hear();
-    told = {};  // it may be from before
+    told = shown = {};  // it may be from before
+    unwrap.restart();
     link.observe(bus.state(), bus.counters());
   }
 
-  const hw::drive_report& report() const { return told; }
+  const hw::drive_report& report() const { return shown; }
+  // How far that position is from what the drive reports: whole ranges.
+  double turned() const { return drive.wraps > 0 ? unwrap.turned() : 0; }
+  hw::set_point_frames set_point(hw::drive_command c, double most_torque) const {
+    c.position -= turned();
+    return drive.set_point(c, most_torque);
+  }
   double seconds() const { return static_cast<double>(period) * 1e-9; }
 
   // For frames that may be lost: the caller checks what came of them.
@@ -117,15 +130,19 @@ private:
     std::array<hw::received_frame, 32> frames;
     for (std::size_t n = frames.size(); n == frames.size();) {
       n = bus.receive(frames);
-      for (std::size_t i = 0; i < n; ++i)
-        drive.decode(frames[i].frame, told), drive.hear_setting(frames[i].frame);
+      for (std::size_t i = 0; i < n; ++i) {
+        drive.hear_setting(frames[i].frame);
+        if (drive.decode(frames[i].frame, told) && (told.told & hw::of_position)) unwrap(told.position);
+      }
     }
+    shown = told;
+    shown.position += turned();
   }
   trouble away() const { return "the bus is " + std::string(name_of(bus.state())); }
   trouble trouble_now() const {
     if (is_away(bus.state())) return away();
     if (link.state() == hw::link_state::safe) return "the bus: " + std::string(name_of(link.first_cause()));
-    if (link.may_move() && time.now() - heard_at > silence) return "it does not answer any more";
+    if (link.may_move() && time.now() - heard_at > detail::silence) return "it does not answer any more";
     if (is_enabled && told.fault != hw::drive_fault::none)
       return "it reports a fault: " + std::string(name_of(told.fault)) + " (code " +
              std::to_string(told.code) + ")";
@@ -138,7 +155,8 @@ private:
   any_drive& drive;
   pace& time;
   std::int64_t period, next = 0, heard_at = 0;
-  hw::drive_report told{};
+  hw::drive_report told{}, shown{};
+  hw::position_unwrap unwrap;
   hw::link_supervisor<3> link{};
   bool is_enabled = false;
 };
