@@ -185,12 +185,16 @@ void starts_and_stops() {
   CHECK_MESSAGE(!answering.enabled(), "disabling it takes its torque away");
 }
 
-// Requests and replies have different ids; all traffic has possible frames.
+// Requests and replies have different ids, so that an id alone says whether a frame is a command
+// (sender_check.hpp, filters, `cca-can list`); a drive that answers under the id on which it listens can't be
+// added. All traffic has possible frames.
 template <Drive D>
 void is_stated_soundly() {
   for (const can_filter& a : D::requests)
     for (const can_filter& b : D::replies)
-      CHECK_MESSAGE(!overlap(a, b), "requests and replies have different ids");
+      CHECK_MESSAGE(!overlap(a, b),
+                    "requests and replies have different ids: a drive that answers under the id on which it "
+                    "listens can't be added (docs/drives.md)");
   for (const frame_traffic& t : D::traffic) {
     CHECK(fd_length(t.shape.length) == t.shape.length);
     CHECK((t.shape.fd || t.shape.length <= 8));

@@ -1,5 +1,6 @@
-// An Oncilla whose joints have drives of all families, in all their modes. A new family takes the joint of
-// one that has two.
+// An Oncilla whose joints have drives of all families, in all their modes. A new family takes
+// `left_hind_knee`: the other MIT drive stays, and other robots of the tests are on AKs alone. What is tested
+// of a single joint (families.cpp) are hips, and knees of bus 2.
 #pragma once
 
 #include <cstdint>

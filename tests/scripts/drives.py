@@ -26,6 +26,10 @@ PARAMETER = re.compile(r"[<,]\s*class\b")  # of a template
 STRUCT = re.compile(r"(?<!enum )\b(?:struct|class)\s+(?:\[\[.*?\]\]\s*)?(\w+)(?=[^()]*\Z)")
 
 
+UNSEEN = ("not seen here: whether what is there is right, a line in CHANGELOG.md, `wraps` where a position begins again, sentences of docs beside tables, "
+          "and whether the programs compile and pass")
+
+
 class Unreadable(Exception):
     pass
 
@@ -155,6 +159,11 @@ def has_row(page, first, heading=""):
                for above, rows in tables(page) if above.startswith(heading) for row in rows)
 
 
+def has_named(page, first, second):
+    """A row whose first cell has the one pattern, and a later one the other."""
+    return any(re.search(first, row[0]) and re.search(second, " ".join(row[1:])) for _, rows in tables(page) for row in rows)
+
+
 def has_column(page, *names):
     """A table whose first line has one of these names, with a text in each of its lines."""
     for _, rows in tables(page):
@@ -229,7 +238,15 @@ class Family:
         code = without_strings(without_comments(text))
         return any(self.type in words_behind(code, what) for what in re.findall(r"\bstruct\s+\w+\s*:\s*on_bus\s*<([^{;]*)>\s*\{", code))
 
+    def judged(self, text):
+        code = without_strings(without_comments(text))
+        found = re.search(r"\bread\s*\([^;{]*\{", code)
+        return found and re.search(rf"\bis_{re.escape(self.name)}\s*<", body(code, found.end() - 1))
+
     # Step 6
+    def followed(self, text):
+        return any(rows[0][0] == "drive" and re.search(self.title, row[0]) for _, rows in tables(text) for row in rows[2:])
+
     def header_row(self, text):
         return has_row(text, rf"<cca/hardware/{re.escape(self.name)}\.hpp>")
 
@@ -289,6 +306,36 @@ class Family:
     def page_row(self, text):
         return has_row(text, rf"`{self.spelled}")
 
+    def wrong_name(self, text):
+        said = '"' + without_comments(text).partition('TEST_CASE("a wrong name')[2].partition(";")[0]
+        return re.search(self.spelled, "".join(re.findall(r'"((?:\\.|[^"\\])*)"', said)))
+
+    def effects(self, command):
+        return lambda text: has_named(text, f"^`{command}`$", self.title)
+
+    def jogs(self, text):
+        return any(above == "jog" and re.search(self.title, row[0]) for above, rows in tables(text) for row in rows[2:])
+
+    def is_asked(self, root):
+        """Its address asks something: `ask` returns a frame."""
+        code = without_strings(without_comments(read(root, CCA_CAN + "/drives/addresses.hpp") or ""))
+        for found in re.finditer(rf"\bstruct\s+{re.escape(self.name)}_address\b", code):
+            if asks := re.search(r"\bask\s*\(\s*\)[^;{]*\{", what := body(code, found.end())):
+                return not re.fullmatch(r"\s*return\s*(?:[\w:]+\s*)?(?:\{\s*\}|\(\s*\))\s*;\s*", body(what, asks.end() - 1))
+        return False
+
+    def in_list_of_asked(self, text):
+        # On a line with --ask, or on the next one: "mit,moteus,robstride", "some of mit, moteus".
+        code = without_comments(text)
+        beside = "\n".join(re.findall(r"[^\n]*--ask[^\n]*\n?[^\n]*", code))
+        return any(self.name in re.split(r",\s*", words) for words in re.findall(r"(?<![\w,])\w+(?:,\s*\w+)*", beside))
+
+    def parts_if_asked(self):
+        add = f"`{self.name}` to the families of `--ask`"
+        files = ("commands.hpp", "words.hpp", "commands/list.hpp", "commands/help.hpp")
+        return [(f"{CCA_CAN}/{file}", self.in_list_of_asked, 7, "its name among the families that `list --ask` asks", add) for file in files] + [
+            ("docs/cca_can.md", self.effects("list"), 7, "what the question of `list` does to it", "its name to the row `list` of the table of what a command does to a motor")]
+
     def parts(self):
         """Of each part: the file, whether a text of it has the part, the step, what is lacking, what to add."""
         name, virtual = self.name, self.virtual
@@ -304,6 +351,7 @@ class Family:
             ("tests/runtime/drive_chain/virtual_drives.cpp", self.virtual_laws, 4, "a test of the laws of virtual drives",
              f"a rig of `{virtual}` to the list of the test case `the laws`"),
             ("tests/laws/families_oncilla.hpp", self.robot_with_all, 4, "a joint of the robot with all families", f"a joint `on_bus<..., {self.type}..., ...>`"),
+            ("tests/fuzz/robot/judge.hpp", self.judged, 4, "what its frames ask for, for the campaign of a whole robot", f"a branch for `is_{name}<D>` to `read`"),
             (f"tests/fuzz/{name}.cpp", self.fuzz_target, 5, "a fuzz target of its decoder", f"`LLVMFuzzerTestOneInput` with a call of `fuzz::hears<{self.type}...>`"),
             ("docs/drives.md", self.header_row, 6, "its row in the table of headers", f"{row} `<cca/hardware/{name}.hpp>`"),
             ("docs/drives.md", self.column, 6, "its column in the table of drives", f"a column `{self.type}` with what it does in each line"),
@@ -313,14 +361,18 @@ class Family:
             (f"{VIRTUAL}/virtual_drive.hpp", self.model(virtual), 6, "the name of its virtual drive in the list of models", f"`{virtual}.hpp` to {models}"),
             ("docs/README.md", self.listed_page, 6, "its name in the list of pages", "it to the row of `[Drives](drives.md)`"),
             ("README.md", self.readme, 6, "its name in the table of what it works with", "it to the row of `drives`"),
+            ("docs/robots.md", self.followed, 6, "its name in the table of what a drive follows", f"it to the first column of the table that begins with `drive`"),
             (CCA_CAN + "/drives/addresses.hpp", self.address, 7, "its address in cca-can", f"a struct `{name}_address` with `to_real` and `to_unit`"),
             (drive_name, self.families_row, 7, "its row in the list of families of cca-can", f"`{name}:...` to the text `families`"),
             (drive_name, self.with_drive, 7, "its place among the drives of cca-can", f'a branch for "{name}" with `{name}_address` to `with_drive`'),
             (drive_name, self.played, 7, "a drive that cca-can can play", f"the specialisation `played<{self.type}...>` with `{virtual}`"),
             (CCA_CAN + "/commands/help.hpp", self.help, 7, "its name in the help of cca-can", f"`{name}:...` to the drives in `help_text`"),
             ("docs/cca_can.md", self.page_row, 7, "its row in the table of drives of cca-can", f"{row} `{name}:...`"),
+            ("docs/cca_can.md", self.effects("enable"), 7, "what `enable` does to it", "its name to the row `enable` of the table of what a command does to a motor"),
+            ("docs/cca_can.md", self.jogs, 7, "how jog moves it", "its name to the table below `jog`"),
             ("tests/runtime/tool/families.cpp", self.tool_family, 7, "a test that cca-can lists, enables and jogs it", f'`family{{"{name}:...", ...}}` to the list of families'),
             ("tests/runtime/tool/drives.cpp", self.tool_codec, 7, "a test that cca-can sends what its codec sends", f'a call `same_as_codec<{self.type}...>("{name}:...", ...)`'),
+            ("tests/runtime/tool/drives.cpp", self.wrong_name, 7, "its name in the test of a wrong name", f'`{name}:...` to the first message in the test case "a wrong name..."'),
         ]
 
     def refuses_bad_number(self, root):
@@ -363,7 +415,11 @@ def problems(root):
         def lacks(what, add, file, step):
             return (f"{shown(file)}: the drive `{shown(family.name)}` lacks {what}: add {shown(add)} in {shown(file)} "
                     f"(step {step} of How to add a drive in CONTRIBUTING.md)")
-        for file, has, step, what, add in family.parts():
+        try:
+            asked = family.parts_if_asked() if family.is_asked(root) else []
+        except Unreadable:
+            asked = []  # said below, of the part that stands in that file
+        for file, has, step, what, add in family.parts() + asked:
             try:
                 text = read(root, file)
             except Unreadable as why:
@@ -390,7 +446,7 @@ def problems(root):
 def main(arguments):
     sys.stdout.reconfigure(errors="backslashreplace")
     found = list(problems(pathlib.Path(arguments[0] if arguments else ".")))
-    print("\n".join(found) or "each drive is whole")
+    print("\n".join(found) or f"each drive is whole; {UNSEEN}")
     return bool(found)
 
 

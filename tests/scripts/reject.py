@@ -140,6 +140,7 @@ def main(arguments):
     print(output)
     if wrong:
         sys.exit(f"{file}: {wrong}")
+    print(f"{file}: refused as expected")
 
 
 if __name__ == "__main__":

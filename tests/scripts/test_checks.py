@@ -533,7 +533,13 @@ class Drives(Tree):
     PAGE = ("# Drives\n\n| header | what |\n|---|---|\n" + HEADER_ROW + "\n| | `mit_drive` | `acme2` |\n|---|---|---|\n| for | AK | ACME |\n"
             "\n| | `virtual_mit` | `virtual_acme2` |\n|---|---|---|\n| moves | after `enter` | at once |\n"
             "\n## Sources, and what is not verified\n\n| | source | not verified |\n|---|---|---|\n" + SOURCE_ROW)
-    ADDRESS = "struct acme2_address {\n  void to_real(can_frame& f) const;\n  bool to_unit(can_frame& f) const;\n};\n"
+    ASK = "return {question(number)};"
+    ADDRESS = ("struct acme2_address {\n  void to_real(can_frame& f) const;\n  bool to_unit(can_frame& f) const;\n"
+               "  drive_frames ask() const { " + ASK + " }\n};\n")
+    JUDGE = ("template <class D>\nstd::optional<request> read(const can_frame& f) {\n  if constexpr (is_mit<D>) {\n  } else if constexpr (is_acme2<D>) {\n"
+             "    r.enables = true;\n  }\n}\n")
+    EFFECTS = ("| command | |\n|---|---|\n| `list` | reads a register of an Acme 2 |\n| `enable` | MIT, Acme 2: without torque |\n\n## jog\n\n"
+               "| family | mode |\n|---|---|\n| MIT, Acme 2 | gains |\n")
     ADDRESSES, NAMES, HELP = "tools/cca_can/drives/addresses.hpp", "tools/cca_can/drives/drive_name.hpp", "tools/cca_can/commands/help.hpp"
     DRIVE = f"{drives.HARDWARE}/drives/acme2.hpp"
 
@@ -559,11 +565,17 @@ class Drives(Tree):
             "docs/README.md": "| | [Drives](drives.md) | MIT, Acme 2: units |\n",
             "README.md": "| | |\n|---|---|\n| drives | MIT, Acme 2 |\n\none families of CAN drives\n",
             "tests/runtime/tool/families.cpp": 'constexpr std::array families{family{"mit:3", ""}, family{"acme2:80:3", ""}};\n',
-            "tests/runtime/tool/drives.cpp": 'void f() { same_as_codec<acme2<motor, 3>>("acme2:80:3", [](auto& r) { return 1; }); }\n',
+            "tests/runtime/tool/drives.cpp": 'void f() { same_as_codec<acme2<motor, 3>>("acme2:80:3", [](auto& r) { return 1; }); }\n'
+                                           'TEST_CASE("a wrong name gives a message") {\n  CHECK(complaint("mit") == "one of mit:MODEL:NUMBER, "\n    "acme2:KP:NUMBER");\n}\n',
+            "tests/fuzz/robot/judge.hpp": self.JUDGE,
+            "docs/robots.md": "| drive | follows |\n|---|---|\n| MIT, Acme 2 | all |\n",
+            "tools/cca_can/commands.hpp": 'throw usage_error("--ask " + *ask +\n  ": expected some of mit, acme2; an ODrive reports by itself");\n',
+            "tools/cca_can/words.hpp": 'known_option{"list", "--ask", "families to ask: mit,acme2"},\n',
+            "tools/cca_can/commands/list.hpp": 'say.out << "reports by itself; --ask mit,acme2 asks";\n',
             self.ADDRESSES: "#include <cca/hardware/acme2.hpp>\n" + self.ADDRESS,
             self.NAMES: "#include <cca/hardware/virtual_acme2.hpp>\n" + self.FAMILIES + self.WITH + self.PLAYED,
-            self.HELP: 'inline constexpr const char* help_text = R"(DRIVE: mit:3, acme2:KP:3\n)";\n',
-            "docs/cca_can.md": "| name | drive |\n|---|---|\n| `acme2:80:3` | Acme 2 |\n",
+            self.HELP: 'inline constexpr const char* help_text = R"(  --ask mit,acme2 asks\n\nDRIVE: mit:3, acme2:KP:3\n)";\n',
+            "docs/cca_can.md": "| name | drive |\n|---|---|\n| `acme2:80:3` | Acme 2 |\n\n" + self.EFFECTS,
         }
         for name, text in self.whole.items():
             self.write(name, text)
@@ -629,6 +641,9 @@ class Drives(Tree):
             self.one_hole("tests/laws/families_oncilla.hpp", old, new, "a joint of the robot with all families")
         for old, new in (("  fuzz::hears", "  // fuzz::hears"), ("acme2<motor", "mit_drive<motor")):
             self.one_hole(fuzz, old, new, "a fuzz target of its decoder")
+        concept = "template <class D> concept is_acme2 = is_acme2<D>;\n"  # alone it is no branch
+        for new in (self.JUDGE.replace("acme2", "acme"), self.JUDGE.replace("} else if", "// } else if"), concept + self.JUDGE.replace("acme2", "acme")):
+            self.one_hole("tests/fuzz/robot/judge.hpp", self.JUDGE, new, "what its frames ask for, for the campaign of a whole robot")
         (self.root / "tests/fuzz/corpus/acme2/first").unlink()
         for name, text in ((".keep", "0123456789"), ("first", ""), ("first", "012345")):
             file = self.write(f"tests/fuzz/corpus/acme2/{name}", text)
@@ -650,6 +665,7 @@ class Drives(Tree):
         self.one_hole(f"{drives.HARDWARE}/drives/drive.hpp", ", acme2.hpp.", ". Not acme2.hpp.", "its name in the list of models")
         self.one_hole(f"{drives.HARDWARE}/virtual_drives/virtual_drive.hpp", "// virtual_acme2.hpp. Laws: a.hpp", "// virtual_acme.hpp.\n#include <virtual_acme2.hpp>",
                       "the name of its virtual drive in the list of models")
+        self.one_hole("docs/robots.md", "Acme 2", "Acme 23", "its name in the table of what a drive follows")
         self.one_hole("docs/README.md", "Acme 2", "Acme 23", "its name in the list of pages")
         self.one_hole("README.md", "Acme 2", "Acme 23", "its name in the table of what it works with")
         self.write("README.md", self.whole["README.md"].replace("one families", "two families"))
@@ -667,15 +683,31 @@ class Drives(Tree):
             self.one_hole(self.NAMES, self.WITH, new, "its place among the drives of cca-can")
         for new in ("", f"#if 0\n{self.PLAYED}#endif\n", self.PLAYED.replace("virtual_acme2", "virtual_mit")):
             self.one_hole(self.NAMES, self.PLAYED, new, "a drive that cca-can can play")
+        self.one_hole("docs/cca_can.md", "of an Acme 2", "", "what the question of `list` does to it")
+        self.one_hole("docs/cca_can.md", "MIT, Acme 2: without", "MIT: without", "what `enable` does to it")
+        self.one_hole("docs/cca_can.md", "MIT, Acme 2 | gains", "MIT | gains", "how jog moves it")
+        for file in ("commands.hpp", "words.hpp", "commands/list.hpp", "commands/help.hpp"):
+            old = re.search(r"mit, ?acme2", self.whole[f"tools/cca_can/{file}"])[0]
+            self.one_hole(f"tools/cca_can/{file}", old, "mit", "its name among the families that `list --ask` asks")
+        for asks in ("return {};", "return hw::drive_frames();"):
+            self.write(self.ADDRESSES, self.whole[self.ADDRESSES].replace(self.ASK, asks))
+            for file in ("tools/cca_can/commands.hpp", "docs/cca_can.md"):
+                self.write(file, re.sub(r", acme2;|an Acme 2", "", self.whole[file]))
+            with self.subTest(asks=asks):
+                self.assertEqual(self.found(), [])  # it reports by itself
+        for file in (self.ADDRESSES, "tools/cca_can/commands.hpp", "docs/cca_can.md"):
+            self.write(file, self.whole[file])
         self.one_hole(self.HELP, ", acme2:KP:3", "", "its name in the help of cca-can")
         self.one_hole(self.HELP, ", acme2:KP:3\n)\";", "\n)\";  // acme2:KP:3", "its name in the help of cca-can")
         self.one_hole("docs/cca_can.md", "| `acme2:80:3` | Acme 2 |", "", "its row in the table of drives of cca-can")
-        self.one_hole("docs/cca_can.md", "| Acme 2 |", "| |", "its row in the table of drives of cca-can")
+        self.one_hole("docs/cca_can.md", "3` | Acme 2 |", "3` | |", "its row in the table of drives of cca-can")
         tool = "tests/runtime/tool"
         for old, new in (('family{"acme2:80:3", ""}', ""), ('family{"acme2', '// family{"acme2'), ("acme2:", "acme23:")):
             self.one_hole(f"{tool}/families.cpp", old, new, "a test that cca-can lists, enables and jogs it")
-        for old, new in (("same_as_codec", "// same_as_codec"), ('"acme2:', '"acme23:')):
+        for old, new in (("same_as_codec", "// same_as_codec"), ('"acme2:80', '"acme23:80')):
             self.one_hole(f"{tool}/drives.cpp", old, new, "a test that cca-can sends what its codec sends")
+        for new in ("", '"acme:KP:NUMBER"', '""); f("acme2:KP:NUMBER"'):
+            self.one_hole(f"{tool}/drives.cpp", '"acme2:KP:NUMBER"', new, "its name in the test of a wrong name")
 
     def test_a_family_is_found_however_it_spells_decode(self):
         (self.root / "tests/fuzz/acme2.cpp").unlink()
@@ -715,17 +747,17 @@ class Drives(Tree):
         self.write(self.DRIVE, "").write_bytes("// Größe\n".encode() + self.codec().encode())
         plain = {**os.environ, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "LC_ALL": "C"}
         ran = subprocess.run([sys.executable, drives.__file__, str(self.root)], env=plain, capture_output=True, text=True)
-        self.assertEqual((ran.stdout, ran.stderr, ran.returncode), ("each drive is whole\n", "", 0))
+        self.assertEqual((ran.stdout, ran.stderr, ran.returncode), (f"each drive is whole; {drives.UNSEEN}\n", "", 0))
 
     def test_names_are_words_and_no_patterns(self):
         self.write("README.md", self.whole["README.md"].replace("one families", "two families"))
         self.write(f"{drives.DRIVES}/a+b(.hpp", self.codec().replace("acme2", "ab"))
         found = self.found()
-        self.assertEqual(len(found), 25)
+        self.assertEqual(len(found), 30)
         self.assertTrue(all("the drive `a+b(` lacks " in one for one in found), found)
         self.write(f"{drives.DRIVES}/a+b(.hpp", "")
         self.write(f"{drives.DRIVES}/acme.2.hpp", self.codec().replace("acme2", "other"))
-        self.assertEqual(len(self.found()), 24)
+        self.assertEqual(len(self.found()), 29)
 
     def test_no_family(self):
         (self.root / self.DRIVE).unlink()

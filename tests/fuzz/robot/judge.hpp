@@ -41,11 +41,18 @@ struct request {
   bool brakes = false;                    // it gets no position
 };
 
+// Of which family a drive is: by a member that only this family has.
+template <class D> concept is_mit = requires { typename D::wire; };
+template <class D> concept is_moteus = requires { typename D::request; };
+template <class D> concept is_odrive = requires { D::by_velocity; };
+template <class D> concept is_robstride = requires { D::run_mode(0); };
+template <class D> concept is_cia402 = requires { D::sends_velocity; };
+
 template <class D>
 std::optional<request> read(const hw::can_frame& f) {
   request r;
   hw::drive_command& c = r.command;
-  if constexpr (requires { typename D::wire; }) {
+  if constexpr (is_mit<D>) {
     if (f.id != D::request_id) return {};
     using special = hw::mit_special;
     if (f == hw::mit_special_frame(D::request_id, special::enter)) return request{.enables = true};
@@ -53,7 +60,7 @@ std::optional<request> read(const hw::can_frame& f) {
       if (f == hw::mit_special_frame(D::request_id, what)) return request{};
     c = D::wire::from_wire(D::wire::read(std::span<const std::uint8_t, 8>(f.data.data(), 8)));
     r.follows = c.stiffness > 0 || std::abs(c.torque) > 0.05;
-  } else if constexpr (requires { typename D::request; }) {
+  } else if constexpr (is_moteus<D>) {
     typename D::request q;
     if (!D::hear(f, q)) return {};
     r.enables = q.mode == 10;
@@ -61,17 +68,17 @@ std::optional<request> read(const hw::can_frame& f) {
     r.follows = r.enables && q.command.position == q.command.position;  // NaN: stay where you are
     c = q.command;
     c.stiffness *= D::motor::stiffness, c.damping *= D::motor::damping;
-  } else if constexpr (requires { D::by_velocity; }) {
+  } else if constexpr (is_odrive<D>) {
     r.enables = f == D::axis_state(8);
     r.follows = D::hear(f, c);
     if (!r.enables && !r.follows) return {};
-  } else if constexpr (requires { D::run_mode(0); }) {
+  } else if constexpr (is_robstride<D>) {
     r.enables = f == D::enable();
     if (D::hear(f, c)) r.follows = c.stiffness > 0 || std::abs(c.torque) > 0.05;
     else if (std::ranges::none_of(D::requests, [&](const hw::can_filter& own) { return own.matches(f.id); }))
       return {};
   } else {
-    static_assert(requires { D::sends_velocity; }, "fuzz::read: teach it the frames of this family");
+    static_assert(is_cia402<D>, "fuzz::read: teach it the frames of this family");
     std::uint16_t word = 0;
     if (!D::hear(f, word, c)) return {};
     r.enables = (word & 0x87) == 0x07;

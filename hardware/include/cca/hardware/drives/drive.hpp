@@ -6,19 +6,23 @@
 //
 //   D::name, D::limits        its name; per quantity the range that its frames can say
 //   D::uses                   which quantities of a command it takes (drive_quantity)
-//   D::requests, D::replies   the ids that it listens to, and those that it sends
+//   D::requests, D::replies   the ids that it listens to, and those that it sends: others, since a frame says
+//                             by its id alone whether it is a command or an answer
 //   D::traffic                its frames in each cycle (bus_plan.hpp)
 //   D::watchdog               what it does by itself when no set point comes
 //   D::set_point(command)     the frames of a cycle. A command that is not finite gives none. A number beyond
 //                             the range becomes the nearest one, and `cut` says which quantity
 //   D::decode(frame, report)  writes what the frame says into the report. False: the frame is not this
-//                             drive's, or not well-formed, and the report stays as it was
+//                             drive's, or not well-formed, and the report stays as it was. Of the frames
+//                             that answer a set point one reports the position: more than 150 different
+//                             ones in 100 beats count as two drives (robot/sender_check.hpp)
 //   D::enabling               enables the drive: `next(report)`, once a cycle, gives the frames to send,
 //                             until it says `done` or `failed`
 //   D::disable()              the frames after which the drive holds nothing
 //
 // Some drives also have:
-//   D::broadcasts             ids that all drives of its kind listen to
+//   D::broadcasts             ids that all drives of its kind listen to; several of them on a bus may have
+//                             these, and no drive may have one of them among its requests or replies
 //   D::cycle_frames           frames that end a cycle, once a bus for all drives with the same ones
 //   D::report_period          ns; the drive reports by itself, this often, and not when asked
 //   D::torque_period          ns; likewise for its torque, where that has frames of its own. A drive that

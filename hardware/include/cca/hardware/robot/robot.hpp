@@ -11,9 +11,9 @@
 // every described robot (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the
 // joints want and the drives, and the limits of the axes bound it.
 //
-// A drive with stiffness (MIT, moteus, RobStride) follows all commands; one that takes torque alone (CiA 402
-// and ODrive in torque mode) too: the synchronizer makes its torque from the measured angle and velocity. One
-// with gains of its own follows positions, or velocities: describe R with these commands alone.
+// A drive that takes stiffness follows all commands; one that takes torque alone too: the synchronizer makes
+// its torque from the measured angle and velocity. One with gains of its own follows positions, or
+// velocities: describe R with these commands alone. docs/robots.md says which family does what.
 //
 // Give it its buses: controller.get<"robot.synchronizer">().connect(bus0, ...). Starting the controller
 // enables the drives. Until they are enabled, and after a trip, the controller runs and nothing moves.
