@@ -87,7 +87,7 @@ inline drive_parts parts_of(const std::string& text) {
     no_drive(text, "only MIT drives and RobStrides answer under another id, `@ID`");
   p.number = drive_number(text, number[0], 99'999'999);
   if (number.size() == 2) p.master = drive_number(text, number[1], robstride ? 0xFF : 0x7FF);
-  if ((mit || robstride) && p.master == p.number)
+  if (p.number != 0 && (mit || robstride) && p.master == p.number)
     no_drive(text, "it can't answer under the id that it listens to");
   return p;
 }
