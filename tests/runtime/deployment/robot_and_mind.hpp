@@ -14,6 +14,8 @@ namespace deployment_test {
 struct state : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
 struct level : cca::space<cca::number, cca::axes<cca::x>> {};
 
+inline std::atomic<int> idle_beats{0};  // of all devices, for another thread to read
+
 // Counts what happens to it: on_fault and on_idle may run in any thread.
 struct device {
   double command = 0;
@@ -24,7 +26,7 @@ struct device {
   }
   void act(cca::in<"command", level> u) { command = u[cca::x{}]; }
   void on_fault() { ++faults; }
-  void on_idle() { ++idles; }
+  void on_idle() { ++idles, ++idle_beats; }
 };
 
 struct filter {
