@@ -62,13 +62,18 @@ struct state {
   }
 };
 
+template <class Body>
+struct of_body {
+  using body = Body;
+  using state_type = state<Body>;
+};
+
 // Of a base that stands.
 template <class Body>
-struct gravity {
+struct gravity : of_body<Body> {
   static constexpr const char *name = "gravity", *recording = "recorded_gravity_torques";
-  using body = Body;
   using quantity = unlimited<cd::recorded_gravity_torques<Body, false>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto recorded(const state_type& s) {
     return cd::recorded_result<quantity, typename state_type::vector>(s.pose().joint_values());
   }
@@ -78,11 +83,10 @@ struct gravity {
   }
 };
 template <class Body>
-struct inverse {
+struct inverse : of_body<Body> {
   static constexpr const char *name = "inverse dynamics", *recording = "recorded_inverse_dynamics";
-  using body = Body;
   using quantity = unlimited<cd::recorded_inverse_dynamics<Body, false>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto recorded(const state_type& s) {
     cca::dynamics_result<state_type::n> r;
     const auto now = s.pose();
@@ -98,11 +102,10 @@ struct inverse {
   }
 };
 template <class Body>
-struct mass {
+struct mass : of_body<Body> {
   static constexpr const char *name = "mass matrix", *recording = "recorded_mass_matrix";
-  using body = Body;
   using quantity = unlimited<cd::recorded_mass_matrix<Body, false>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto recorded(const state_type& s) {
     return cd::recorded_result<quantity, Eigen::Matrix<double, state_type::n, state_type::n>>(
         s.pose().joint_values());
@@ -114,11 +117,10 @@ struct mass {
   }
 };
 template <class Body>
-struct forward {
+struct forward : of_body<Body> {
   static constexpr const char *name = "forward dynamics", *recording = "recorded_forward_dynamics";
-  using body = Body;
   using quantity = unlimited<cd::recorded_forward_dynamics<Body, false>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto recorded(const state_type& s) {
     return cd::recorded_result<quantity, typename state_type::vector>(s.pose().joint_values(), s.dq.data(),
                                                                       s.input.data());
@@ -130,11 +132,10 @@ struct forward {
   }
 };
 template <class Body>
-struct coriolis {
+struct coriolis : of_body<Body> {
   static constexpr const char *name = "Coriolis matrix", *recording = "recorded_coriolis_matrix";
-  using body = Body;
   using quantity = unlimited<cd::recorded_coriolis_matrix<Body>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto recorded(const state_type& s) {
     return cd::recorded_result<quantity, Eigen::Matrix<double, state_type::n, state_type::n>>(
         s.pose().joint_values(), s.dq.data());
@@ -144,12 +145,11 @@ struct coriolis {
   }
 };
 template <class Body>
-struct derivatives {
+struct derivatives : of_body<Body> {
   static constexpr const char *name = "derivatives of inverse dynamics",
                               *recording = "recorded_torque_derivatives";
-  using body = Body;
   using quantity = unlimited<cd::recorded_torque_derivatives<Body, false>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto joined(const cca::inverse_dynamics_derivatives_result<state_type::n>& d) {
     Eigen::Matrix<double, state_type::n, 3 * state_type::n + 1> all;
     all << d.torques, d.by_angles, d.by_velocities, d.by_accelerations;
@@ -172,12 +172,11 @@ struct derivatives {
 
 // Of a base that is free, or moves.
 template <class Body>
-struct free_inverse {
+struct free_inverse : of_body<Body> {
   static constexpr const char *name = "inverse dynamics, moving base",
                               *recording = "recorded_inverse_dynamics";
-  using body = Body;
   using quantity = unlimited<cd::recorded_inverse_dynamics<Body, true>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto joined(const cca::dynamics_result<state_type::n>& r) {
     Eigen::Matrix<double, 6 + state_type::n, 1> all;
     all << r.wrench, r.torques;
@@ -199,11 +198,10 @@ struct free_inverse {
   }
 };
 template <class Body>
-struct free_mass {
+struct free_mass : of_body<Body> {
   static constexpr const char *name = "mass matrix, free base", *recording = "recorded_mass_matrix";
-  using body = Body;
   using quantity = unlimited<cd::recorded_mass_matrix<Body, true>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto recorded(const state_type& s) {
     return cd::recorded_result<quantity, Eigen::Matrix<double, 6 + state_type::n, 6 + state_type::n>>(
         s.pose().joint_values());
@@ -215,12 +213,11 @@ struct free_mass {
   }
 };
 template <class Body>
-struct free_forward {
+struct free_forward : of_body<Body> {
   static constexpr const char *name = "forward dynamics, free base",
                               *recording = "recorded_floating_forward_dynamics";
-  using body = Body;
   using quantity = unlimited<cd::recorded_floating_forward_dynamics<Body>>;
-  using state_type = state<Body>;
+  using typename of_body<Body>::state_type;
   static auto recorded(const state_type& s) {
     Eigen::Matrix<double, 6 + state_type::n, 1> all;
     const auto now = s.pose();

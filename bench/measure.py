@@ -314,34 +314,29 @@ def dynamics(work):
     return rows
 
 
-def floating(work):
-    """The dynamics of a quadruped with a free base, recorded and by loops over its links."""
+def beside_loops(work, source):
+    """The quantities of a program, recorded and by loops over the links."""
     rows = []
     for compiler in COMPILERS:
-        program = work / "floating"
-        build(compiler, ["-O2"], HERE / "floating_dynamics.cpp", program)
+        program = work / source
+        build(compiler, ["-O2"], HERE / f"{source}.cpp", program)
         run([str(program), "check"])
         for name in run([str(program), "list"]).stdout.splitlines():
             row = {"quantity": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}
             row |= {form: instructions(program, name, form, lengths=(20, 220), within=(f"*once_{form}*",)) for form in ("cca", "loops")}
             rows.append(row)
-            print("floating", compiler, row, flush=True)
+            print(source, compiler, row, flush=True)
     return rows
+
+
+def floating(work):
+    """The dynamics of a quadruped with a free base."""
+    return beside_loops(work, "floating_dynamics")
 
 
 def derivatives(work):
-    """The derivatives of dynamics, recorded and by loops over the links."""
-    rows = []
-    for compiler in COMPILERS:
-        program = work / "derivatives"
-        build(compiler, ["-O2"], HERE / "dynamics_derivatives.cpp", program)
-        run([str(program), "check"])
-        for name in run([str(program), "list"]).stdout.splitlines():
-            row = {"quantity": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}
-            row |= {form: instructions(program, name, form, lengths=(20, 220), within=(f"*once_{form}*",)) for form in ("cca", "loops")}
-            rows.append(row)
-            print("derivatives", compiler, row, flush=True)
-    return rows
+    """The derivatives of dynamics."""
+    return beside_loops(work, "dynamics_derivatives")
 
 
 def cold(work):

@@ -1,7 +1,7 @@
 // EXPECT: space\.unknown_axis: no joint of this robot has the axis ankle: its joints have shoulder, elbow; name one of these
 // LINES: 18
-// The motor and the virtual drive of a joint are found by its axis. A file of its own: the sentence is that
-// of a robot's joints, and not of a space.
+// The motor and the virtual drive of a joint are found by its axis. This file stands alone since the message
+// is about a robot's joints; others of the rule are about a space.
 #include <cca/hardware/virtual_hardware.hpp>
 
 #include "arm_on_drives.hpp"

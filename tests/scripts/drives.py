@@ -26,8 +26,8 @@ PARAMETER = re.compile(r"[<,]\s*class\b")  # of a template
 STRUCT = re.compile(r"(?<!enum )\b(?:struct|class)\s+(?:\[\[.*?\]\]\s*)?(\w+)(?=[^()]*\Z)")
 
 
-UNSEEN = ("not seen here: whether what is there is right, a line in CHANGELOG.md, `wraps` where a position begins again, sentences of docs beside tables, "
-          "and whether the programs compile and pass")
+UNSEEN = ("this check does not see: a line in CHANGELOG.md, `wraps` where a position begins again, sentences of docs, "
+          "whether what is there is right, and whether the programs compile and pass")
 
 
 class Unreadable(Exception):

@@ -3,8 +3,8 @@
 
 usage: elementary.py [ROOT of the repository]
 
-In FOLDERS no file calls sin, exp, pow and their like of the C++ library, of the C library or of a compiler, nor what calls them within:
-Eigen's functions of arrays, its rotations by an angle, and the distributions of <random>. sqrt, abs, floor and what else IEEE 754 rounds
+In FOLDERS no file calls sin, exp, pow or their like of the C++ library, the C library or a compiler. Nor does it use what calls them:
+Eigen's functions of arrays, its rotations by an angle, the distributions of <random>. sqrt, abs, floor and what else IEEE 754 rounds
 correctly are the same everywhere. OUTSIDE lists the files that no beat runs, each with a reason.
 """
 import pathlib

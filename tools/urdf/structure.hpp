@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <cca/base/messages/first_words.hpp>
+
 #include "model.hpp"
 #include "remarks.hpp"
 
@@ -66,14 +68,16 @@ private:
     std::vector<int> roots;
     for (int i = 0; i < static_cast<int>(robot_.links.size()); ++i)
       if (!holding(i)) roots.push_back(i);
-    constexpr std::size_t most = 5;
-    std::string all;
-    for (std::size_t i = 0; i < roots.size() && i < most; ++i)
-      all += (all.empty() ? "" : ", ") + with_line(robot_.links[static_cast<std::size_t>(roots[i])]);
-    if (roots.size() > most) all += " and " + std::to_string(roots.size() - most) + " more";
-    if (roots.size() > 1)
-      said.error(robot_.links[static_cast<std::size_t>(roots[1])].line,
-                 "no joint holds these links: " + all + "; a robot is a tree with one root");
+    if (roots.size() > 1) {
+      const auto root = [&](std::size_t i) -> const auto& {
+        return robot_.links[static_cast<std::size_t>(roots[i])];
+      };
+      said.error(root(1).line,
+                 "no joint holds these links: " +
+                     cca::detail::first_words(roots.size(), 5, ", ",
+                                              [&](std::size_t i) { return with_line(root(i)); }) +
+                     "; a robot is a tree with one root");
+    }
     std::set<int> reached;
     for (std::vector<int> open = roots; !open.empty();) {
       const int at = open.back();

@@ -12,20 +12,18 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/messages/first_words.hpp>
 #include <cca/base/file.hpp>
 #include <cca/main/descriptions.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca::detail {
 
-// "hip knee", and of many the first ones: "a0 a1 ... a15 and 32 more".
+// A word for each number of a space, or for the first ones.
 template <class WordOf>
-std::string first_words(int count, WordOf word_of) {
-  constexpr int most = 16;
-  std::string text;
-  for (int i = 0; i < std::min(count, most); ++i) text.append(i ? " " : "").append(word_of(i));
-  if (count > most) text += " and " + std::to_string(count - most) + " more";
-  return text;
+std::string words_of_numbers(const space_schema& all, WordOf word_of) {
+  return first_words(static_cast<std::size_t>(all.field_count()), 16, " ",
+                     [&](std::size_t i) { return word_of(static_cast<int>(i)); });
 }
 
 // "rad", or one unit for each number: "m m m 1 1 1 1".
@@ -36,14 +34,14 @@ inline std::string units_text(const space_schema& all) {
   };
   bool is_same = true;
   for (int i = 1; i < all.field_count(); ++i) is_same = is_same && unit(i) == unit(0);
-  return is_same ? unit(0) : first_words(all.field_count(), unit);
+  return is_same ? unit(0) : words_of_numbers(all, unit);
 }
 
 // The names of its numbers, or how many there are.
 inline std::string numbers_text(const space_schema& all) {
   if (!all.has_names())
     return std::to_string(all.field_count()) + (all.field_count() == 1 ? " number" : " numbers");
-  return first_words(all.field_count(), [&](int i) { return std::string(all.field(i).name()); });
+  return words_of_numbers(all, [&](int i) { return std::string(all.field(i).name()); });
 }
 
 inline std::string rate_text(const space_info& space) {

@@ -26,7 +26,7 @@ struct cartesian_position : detail::linear_domain {
   using frames = detail::frame_list<Frame>;
 
   template <class Self>
-  struct methods : detail::on_a_line<Self> {
+  struct methods : detail::moved_by_vectors<Self> {
     // The vector from the other point to this one, in m along the frame's axes.
     template <Sample Other>
     constexpr auto difference(const Other& from) const {
@@ -40,14 +40,6 @@ struct cartesian_position : detail::linear_domain {
     double distance(const Other& to) const {
       const auto v = difference(to);
       return std::sqrt(v.dot(v));
-    }
-
-    template <class Vector>
-    constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
-      using space = typename Self::space;
-      if constexpr (detail::takes_vector<"plus", space, space::size, Vector>())
-        return Self((this->self().vector() + by).eval(), this->self().origin());
-      else return this->self();
     }
   };
 };
@@ -81,8 +73,7 @@ template <class Space>
 struct not_spatial {
   static constexpr void tell(text& m) {
     m << "space.mismatch: a rotation moves samples over three axes, axes<x, y, z>, that are positions, "
-         "forces, "
-         "twists or wrenches, and this one is of "
+         "forces, twists or wrenches, and this one is of "
       << space_in_words<Space>();
   }
 };

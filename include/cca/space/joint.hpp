@@ -32,7 +32,7 @@ struct joint_angles : detail::joint_domain {
   using quantity = angle;
 
   template <class Self>
-  struct methods : detail::on_a_line<Self> {
+  struct methods : detail::moved_by_vectors<Self> {
     // Into (-pi, pi].
     constexpr Self normalised() const {
       auto v = this->self().vector();
@@ -62,14 +62,6 @@ struct joint_angles : detail::joint_domain {
       } else {
         return detail::on_a_line<Self>::interpolated(to, t);
       }
-    }
-
-    template <class Vector>
-    constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
-      using space = typename Self::space;
-      if constexpr (detail::takes_vector<"plus", space, space::size, Vector>())
-        return Self((this->self().vector() + by).eval(), this->self().origin());
-      else return this->self();
     }
   };
 };

@@ -10,11 +10,12 @@
 
 #include "../../laws/space_laws.hpp"
 #include "bodies.hpp"
-#include "dual.hpp"
+#include "../dual.hpp"
 #include "recorded_bodies.hpp"
 
 namespace derivatives_test {
 
+using test::dual;
 using namespace body_test;
 namespace cd = cca::detail;
 
@@ -49,15 +50,8 @@ struct state {
       return d;
     };
     const duals angle = seeded(q, 0), speed = seeded(dq, 1), given = seeded(input, 2);
-    constexpr auto values = static_cast<std::size_t>(reduced.value_count);
-    std::array<dual, 2 * values> turns;
-    for (std::size_t i = 0; i < values; ++i) {
-      const auto& v = reduced.values[i];
-      const dual x = dual(v.ratio) * angle[static_cast<std::size_t>(v.coordinate)];
-      turns[i] = v.revolute ? cosine(x) : x;
-      turns[values + i] = v.revolute ? sine(x) : dual();
-    }
-    const auto joints = cd::placed_joints<dual>(reduced, turns);
+    const auto joints =
+        cd::placed_joints<dual>(reduced, test::joint_values_at<cd::reduced_body_of<Body>>(angle));
     cd::link_motion<dual> root;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto e = static_cast<Eigen::Index>(i);

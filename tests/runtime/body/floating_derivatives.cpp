@@ -13,11 +13,12 @@
 #include "../../../bench/quadruped.hpp"
 #include "../../laws/space_laws.hpp"
 #include "bodies.hpp"
-#include "dual.hpp"
+#include "../dual.hpp"
 #include "recorded_bodies.hpp"
 
 namespace floating_derivatives_test {
 
+using test::dual;
 using namespace body_test;
 namespace cd = cca::detail;
 
@@ -71,15 +72,8 @@ struct state {
                given = seeded(input, variable::input);
     const auto w = seeded(base.angular_velocity, variable::angular_velocity);
     const auto on_base = seeded(load, variable::load);
-    constexpr auto values = static_cast<std::size_t>(reduced.value_count);
-    std::array<dual, 2 * values> turns;
-    for (std::size_t i = 0; i < values; ++i) {
-      const auto& v = reduced.values[i];
-      const dual x = dual(v.ratio) * angle[static_cast<std::size_t>(v.coordinate)];
-      turns[i] = v.revolute ? cosine(x) : x;
-      turns[values + i] = v.revolute ? sine(x) : dual();
-    }
-    const auto joints = cd::placed_joints<dual>(reduced, turns);
+    const auto joints =
+        cd::placed_joints<dual>(reduced, test::joint_values_at<cd::reduced_body_of<Body>>(angle));
     // A turn about axis k of the base changes gravity along its axes by gravity x axis.
     std::array<dual, 3> gravity;
     for (std::size_t i = 0; i < 3; ++i) gravity[i] = base.gravity[static_cast<Eigen::Index>(i)];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "../dual.hpp"
 #include "robots.hpp"
 
 namespace laws {
@@ -13,6 +14,7 @@ std::size_t allocations();  // in tests/laws/allocations.cpp
 }
 
 using namespace compiled_test;
+using test::dual;
 
 namespace {
 
@@ -65,47 +67,6 @@ template <class World>
 bool same_bits(const World& a, const World& b) {
   return std::memcmp(&a.save().motion, &b.save().motion, sizeof a.save().motion) == 0;
 }
-
-// A number and its derivative.
-struct dual {
-  double value = 0, slope = 0;
-
-  constexpr dual() = default;
-  constexpr dual(double v, double d = 0) : value(v), slope(d) {}
-  constexpr dual operator-() const { return {-value, -slope}; }
-  friend constexpr dual operator+(const dual& a, const dual& b) {
-    return {a.value + b.value, a.slope + b.slope};
-  }
-  friend constexpr dual operator-(const dual& a, const dual& b) {
-    return {a.value - b.value, a.slope - b.slope};
-  }
-  friend constexpr dual operator*(const dual& a, const dual& b) {
-    return {a.value * b.value, a.slope * b.value + a.value * b.slope};
-  }
-  friend constexpr dual operator/(const dual& a, const dual& b) {
-    const double q = a.value / b.value;
-    return {q, (a.slope - q * b.slope) / b.value};
-  }
-  friend constexpr bool operator<(const dual& a, const dual& b) { return a.value < b.value; }
-  friend constexpr bool operator>(const dual& a, const dual& b) { return a.value > b.value; }
-  friend constexpr bool operator<=(const dual& a, const dual& b) { return a.value <= b.value; }
-  friend constexpr bool operator==(const dual& a, const dual& b) { return a.value == b.value; }
-  friend constexpr dual select(bool condition, const dual& yes, const dual& no) {
-    return condition ? yes : no;
-  }
-  friend dual root(const dual& x) {
-    const double r = std::sqrt(x.value);
-    return {r, x.slope / (2 * r)};
-  }
-  friend auto sine_and_cosine(const dual& x) {
-    struct {
-      dual sine, cosine;
-    } both;
-    const auto of = cca::math::sine_and_cosine(x.value);
-    both.sine = {of.sine, of.cosine * x.slope}, both.cosine = {of.cosine, -of.sine * x.slope};
-    return both;
-  }
-};
 
 // Where the tip of the arm's last joint is after 0.2 s, in its first angle, by the speed that the second
 // joint starts with.

@@ -1,4 +1,4 @@
-// The messages for recorders, replays and tracers: their graph has no mark, or what they get is no
+// The messages for recorders, replays and tracers whose graph has no mark, or that get what is no
 // controller.
 #pragma once
 

@@ -14,6 +14,7 @@
 #include <cca/space/frame.hpp>
 #include <cca/space/limits.hpp>
 #include <cca/space/messages/space_in_words.hpp>
+#include <cca/space/messages/vector_argument.hpp>
 #include <cca/space/origin.hpp>
 #include <cca/space/quantity.hpp>
 
@@ -112,6 +113,18 @@ struct on_a_line : per_axis<Self> {
     if constexpr (combinable<Self, To>())
       return Self(((1 - t) * from.vector() + t * to.vector()).eval(), older(from.origin(), to.origin()));
     else return from;
+  }
+};
+
+// What can be moved by a vector, in the unit of its numbers.
+template <class Self>
+struct moved_by_vectors : on_a_line<Self> {
+  template <class Vector>
+  constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
+    using space = typename Self::space;
+    if constexpr (takes_vector<"plus", space, space::size, Vector>())
+      return Self((this->self().vector() + by).eval(), this->self().origin());
+    else return this->self();
   }
 };
 

@@ -1,5 +1,5 @@
-// The joints and the board among what a robot is made of, `cca::hardware::robot<R, Bus, joint, ..., board>`:
-// whether they are those of its axes, and the sentences that name what is not.
+// The joints and the board among what a robot is made of, `cca::hardware::robot<R, Bus, joint, ..., board>`.
+// Checks that each axis has its joint, and has the sentences that name what is missing, too many or wrong.
 // Cost: constants; a sentence is compiled only where something does not fit. Error: robot.drives.
 #pragma once
 

@@ -19,7 +19,7 @@ inline std::size_t shown_bytes(std::string_view text) {
   return byte(0) == 0xC2 && byte(1) < 0xA0 ? 0 : size;
 }
 
-// The first bytes, `most` of them: what is no character of UTF-8, or controls a terminal, becomes "\x1b".
+// The first bytes, `most` of them: a byte that is not UTF-8, or that controls a terminal, becomes "\x1b".
 inline std::string printable(std::string_view text, std::size_t most = std::string_view::npos) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string all;

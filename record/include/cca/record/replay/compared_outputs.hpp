@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/messages/first_words.hpp>
 #include <cca/base/array_size.hpp>
 #include <cca/graph/items/modes.hpp>
 #include <cca/graph/deployment/part.hpp>
@@ -89,14 +90,12 @@ public:
   // Why nothing was compared; empty: something was, or nothing is computed that could be.
   template <class Graph>
   std::string complaint() const {
-    constexpr std::size_t most = 4;
     if (has_some || missing.empty()) return {};
-    std::string names;
-    std::size_t n = 0;
-    for (const int o : missing)
-      if (n++ < most) names.append(n > 1 ? ", `" : "`").append(cca::detail::path_of_output<Graph>(o) + "`");
-    if (n > most) names += " and " + std::to_string(n - most) + " more";
-    return "the recording lacks all that components compute: " + names;
+    const auto name = [o = missing.begin()](std::size_t) mutable {
+      return "`" + std::string(cca::detail::path_of_output<Graph>(*o++)) + "`";
+    };
+    return "the recording lacks all that components compute: " +
+           cca::detail::first_words(missing.size(), 4, ", ", name);
   }
 
 private:

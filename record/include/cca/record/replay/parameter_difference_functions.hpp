@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/base/messages/first_words.hpp>
 #include <cca/record/mcap/printable.hpp>
 #include <cca/record/replay/described_space.hpp>
 #include <cca/record/replay/parameter_difference.hpp>
@@ -51,11 +52,8 @@ struct parameter_line {
 };
 
 inline std::string quoted_words(const std::vector<std::string_view>& words) {
-  constexpr std::size_t most = 6;
-  std::string all;
-  for (std::size_t i = 0; i < words.size() && i < most; ++i)
-    all.append(i ? ", " : "").append("`" + printable(words[i], 60) + "`");
-  return words.size() > most ? all + " and " + std::to_string(words.size() - most) + " more" : all;
+  return cca::detail::first_words(words.size(), 6, ", ",
+                                  [&](std::size_t i) { return "`" + printable(words[i], 60) + "`"; });
 }
 
 CCA_RECORD_INLINE std::string parameter_difference(std::string_view here, std::string_view there) {

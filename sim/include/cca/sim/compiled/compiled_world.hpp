@@ -41,6 +41,7 @@
 #include <cca/sim/compiled/whole_robot.hpp>
 #include <cca/sim/engine/checked_scene.hpp>
 #include <cca/sim/engine/moving_frame.hpp>
+#include <cca/sim/robot/model/ideal_inertial_unit.hpp>
 #include <cca/sim/robot/model/joint_law.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
 #include <cca/sim/robot/model/push.hpp>
@@ -225,10 +226,10 @@ private:
     if constexpr (std::is_same_v<Real, double>)
       for (std::size_t i = 0; i < state_.inertial.size(); ++i) {
         const moving_frame now = frame_of(detail::inertial_places<R>[i]);
-        const std::array<double, 3> speed{now.velocity[0], now.velocity[1], now.velocity[2]};
-        state_.inertial[i] = detail::inertial_reading_of(now, after_beat ? state_.unit_speeds[i] : speed,
-                                                         beat, settings_.engine.gravity);
-        state_.unit_speeds[i] = speed;
+        const Eigen::Vector3d before = cca::detail::as_vector(state_.unit_speeds[i]);
+        state_.inertial[i] =
+            inertial_reading_of(now, after_beat ? before : now.velocity, beat, settings_.engine.gravity);
+        state_.unit_speeds[i] = {now.velocity[0], now.velocity[1], now.velocity[2]};
       }
   }
 

@@ -73,10 +73,9 @@ private:
   }
 };
 
-// `meet(k, j, r, s)`: the speed of contact k along r for a unit of impulse of contact j along s. Returns the
-// number of rounds.
+// `meet(k, j, r, s)`: the speed of contact k along r for a unit of impulse of contact j along s.
 template <class Real, std::size_t Most, class Meet>
-constexpr int solve_contacts(std::array<contact_law<Real>, Most>& all, std::size_t count, Meet meet) {
+constexpr void solve_contacts(std::array<contact_law<Real>, Most>& all, std::size_t count, Meet meet) {
   for (int round = 1;; ++round) {
     Real change{};
     for (std::size_t k = 0; k < count; ++k) {
@@ -94,7 +93,7 @@ constexpr int solve_contacts(std::array<contact_law<Real>, Most>& all, std::size
       }
       x.impulse = found;
     }
-    if (round == contact_rounds::most || everywhere(change <= Real(contact_rounds::settled))) return round;
+    if (round == contact_rounds::most || everywhere(change <= Real(contact_rounds::settled))) return;
   }
 }
 

@@ -22,7 +22,6 @@ template <class Real>
 struct contact_force {
   std::size_t probe = 0;
   triple<Real> at{}, normal{}, force{};  // in the world: m, N
-  triple<Real> slip{};                   // m/s along the surface, after the step
 };
 
 // Of two changes of the velocities, without and with contacts: the smaller one, or none if they go two ways.
@@ -47,7 +46,6 @@ public:
   using impulses = std::array<triple<Real>, probes::count>;  // of the last step, in the world
 
   std::size_t count = 0;
-  int rounds = 0;
 
   // The change of the step becomes that with contacts. `last`: takes the impulses.
   constexpr void solve(tree_step<R, Real>& step,
@@ -56,13 +54,11 @@ public:
                        impulses& last,
                        double h) {
     find(step, under);
-    rounds = 0;
     if (count > 0) {
       prepare(step, m, under, last, h);
-      rounds =
-          solve_contacts(laws, count, [this](std::size_t k, std::size_t j, std::size_t r, std::size_t s) {
-            return meeting[3 * k + r][3 * j + s];
-          });
+      solve_contacts(laws, count, [this](std::size_t k, std::size_t j, std::size_t r, std::size_t s) {
+        return meeting[3 * k + r][3 * j + s];
+      });
     }
     for (auto& p : last) p = {};
     if (count > 0) apply(step, last);
@@ -77,17 +73,6 @@ public:
       contact_force<Real> made;
       made.probe = c.probe, made.at = c.world, made.normal = c.touch.normal;
       made.force = Real(1 / h) * (p[0] * c.axes[0] + p[1] * c.axes[1] + p[2] * c.axes[2]);
-      std::array<Real, 3> u = laws[k].speed;
-      for (std::size_t j = 0; j < count; ++j)
-        for (std::size_t r = 1; r < 3; ++r)
-          for (std::size_t s = 0; s < 3; ++s) {
-            const Real meets = j != k   ? meeting[3 * k + r][3 * j + s]
-                               : s == r ? laws[k].own[r]
-                               : s == 0 ? laws[k].coupling[r - 1]
-                                        : Real(0.0);
-            u[r] = u[r] + meets * laws[j].impulse[s];
-          }
-      made.slip = u[1] * c.axes[1] + u[2] * c.axes[2];
       f(made);
     }
   }

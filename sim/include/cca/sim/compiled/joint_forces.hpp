@@ -1,7 +1,7 @@
 // What acts on one coordinate of a compiled world: the spring and the friction in the joint, its motor, the
 // cable that the motor winds, its stops.
 //
-// Each force is asked for what it is at a change `dv` of the speed in the step: its value and how fast it
+// A force depends on the change `dv` of the speed in the step: an answer is its value there, and how fast it
 // falls with dv (`slope`). Each is a few straight pieces (a servo within its limits, the line of its motor, a
 // cable that hangs slack). The world takes the pieces that hold at the end of its step (compiled_world.hpp),
 // so every stiffness, damping and step is stable.
