@@ -199,6 +199,20 @@ TEST_SUITE("compiled world: joints") {
     }
   }
 
+  TEST_CASE("a base that is held is no part of the robot") {
+    using held = alone<robots::oncilla::walking_body, false>;
+    sim::robot_world_settings high;
+    high.mount = cca::at(0, 0, 10);
+    sim::compiled_world<held> w(high);
+    sim::robot_world e(sim::model_of<held>(), {}, high);
+    CHECK(w.mass() == doctest::Approx(e.mass()).epsilon(1e-12));
+    CHECK(w.mass() < robots::oncilla::walking_body::base.mass + e.mass());
+    for (Eigen::Index k = 0; k < 3; ++k)
+      CHECK(w.centre_of_mass()[static_cast<std::size_t>(k)] ==
+            doctest::Approx(e.centre_of_mass()[k]).epsilon(1e-9));
+    CHECK(w.energy() == doctest::Approx(e.energy()).epsilon(1e-9));
+  }
+
   TEST_CASE("an arm on its servos moves as in the engine with small steps") {
     const double d = difference<free_arm>(2, 16, waving);
     MESSAGE("largest difference: ", d, " rad");

@@ -145,12 +145,18 @@ TEST_SUITE("compiled world: node") {
   TEST_CASE("a fault names what is wrong, and the world stands still") {
     auto c = ready(sim::terrain::flat());
     c.start();
-    c.get<"robot.simulator">().world().push({1e12, 0, 0});
+    c.step();
+    auto& world = c.get<"robot.simulator">().world();
+    const double knee = world.joints()[2].angle, work = world.absolute_work(), time = world.time();
+    world.push({1e12, 0, 0});
     for (int k = 0; k < 3; ++k) c.step();
     REQUIRE(c.state() == cca::state::faulted);
     CHECK(std::string(c.fault().reason()).find("first at the base") != std::string::npos);
-    const double there = c.get<"robot.simulator">().world().frame(-1).where.at[0];
+    CHECK(world.joints()[2].angle == knee);
+    CHECK(world.absolute_work() == work);
+    CHECK(world.time() == time);
+    const double there = world.frame(-1).where.at[0];
     c.step();
-    CHECK(c.get<"robot.simulator">().world().frame(-1).where.at[0] == there);
+    CHECK(world.frame(-1).where.at[0] == there);
   }
 }

@@ -159,7 +159,12 @@ TEST_SUITE("compiled world: touching") {
     sim::robot_world_settings none;
     none.steps_per_beat = 0;
     CHECK_THROWS_AS(sim::compiled_world<walking>{none}, std::invalid_argument);
+    sim::robot_world_settings unbounded;
+    unbounded.plausible.speed = NAN;
+    CHECK_THROWS_AS(sim::compiled_world<walking>{unbounded}, std::invalid_argument);
     sim::compiled_world<walking> w;
+    CHECK_THROWS_WITH_AS(w.load(40), doctest::Contains("40"), std::out_of_range);
+    CHECK_THROWS_AS(w.force_on_end("fifth_leg"), std::out_of_range);
     CHECK_THROWS_AS(sim::compiled_world<springy>{}, std::invalid_argument);
     CHECK_THROWS_AS(w.pull("fifth_leg", {}), std::out_of_range);
     CHECK_THROWS_AS(w.place(walking::start, {}, put_down(NAN), {}, {}), std::invalid_argument);

@@ -41,8 +41,10 @@ struct compiled_tree {
   static constexpr int base = floats ? 6 : 0, coordinates = axes_of<body>::count, size = base + coordinates;
   static constexpr std::size_t links = reduced.links.size();
 
+  // Of a base that is held: it belongs to the world, not to the robot.
+  static constexpr link_inertia held = floats ? link_inertia{} : cca::detail::base_inertia_of<body>();
   static constexpr double mass = [] {
-    double sum = reduced.base.mass;
+    double sum = reduced.base.mass - held.mass;
     for (const auto& l : reduced.links) sum += l.mass.mass;
     return sum;
   }();

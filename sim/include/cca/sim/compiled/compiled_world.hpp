@@ -39,8 +39,7 @@
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 #include <cca/sim/compiled/whole_robot.hpp>
-#include <cca/sim/engine/checked_scene.hpp>
-#include <cca/sim/engine/moving_frame.hpp>
+#include <cca/sim/robot/model/checked_settings.hpp>
 #include <cca/sim/robot/model/ideal_inertial_unit.hpp>
 #include <cca/sim/robot/model/joint_law.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
@@ -67,8 +66,7 @@ public:
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
       : settings_(settings), ground_(detail::ground_of(around, settings.engine)) {
     model();  // its numbers are checked
-    check(settings.engine);
-    need_place(settings.mount, "the mount of the robot");
+    check(settings);
     if (settings.steps_per_beat < 1)
       throw std::invalid_argument("cca::sim::compiled_world: a beat has at least one physics step");
     std::array<Real, n> q{};
@@ -94,9 +92,11 @@ public:
         {velocity[0], velocity[1], velocity[2]});
   }
 
-  // One beat. A law that isn't finite is ignored: the drive keeps the last one.
+  // One beat. A law that isn't finite is ignored: the drive keeps the last one. After a beat that can't be
+  // right all is as it was before it, but for `trouble()`.
   void advance(std::span<const joint_law> laws) {
     if (state_.trouble) return;
+    const state_type before = state_;
     auto& d = state_.drives;
     for (std::size_t c = 0; c < std::min(laws.size(), n); ++c)
       if (laws[c].is_finite()) d.laws[c] = laws[c];
@@ -106,9 +106,13 @@ public:
     }
     state_.loads = {}, state_.end_forces = {};
     for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step();
+    if (const world_trouble found = state_.trouble) {
+      state_ = before, state_.trouble = found;
+      return;
+    }
     for (std::size_t c = 0; c < n; ++c)
       state_.joints[c].angle = state_.motion.q[c], state_.joints[c].velocity = state_.motion.dq[c];
-    if (!state_.trouble) read_units(true);
+    read_units(true);
     ++state_.beats;
   }
 
@@ -138,14 +142,23 @@ public:
   const std::array<joint_law, n>& laws() const { return state_.drives.laws; }
 
   // The torque about the sensor's origin, then the force of the ground, along the sensor's axes: means.
-  const std::array<Real, 6>& load(std::size_t sensor) const { return state_.loads.at(sensor); }
+  const std::array<Real, 6>& load(std::size_t sensor) const {
+    return state_.loads[numbered(sensor, state_.loads.size(), "force sensor")];
+  }
   const std::array<Real, 6>& load(std::string_view sensor) const {
     return load(index_of(model().names.sensors, sensor, "force sensor"));
   }
   // Of the ground on all shapes at the end of a part, along the world's axes: N, a mean over the beat.
-  const std::array<Real, 3>& force_on_end(std::size_t part) const { return state_.end_forces.at(part); }
+  const std::array<Real, 3>& force_on_end(std::size_t part) const {
+    return state_.end_forces[numbered(part, state_.end_forces.size(), "part")];
+  }
+  const std::array<Real, 3>& force_on_end(std::string_view part) const {
+    return force_on_end(index_of(model().names.ends, part, "part"));
+  }
 
-  const robots::inertial_reading& inertial(std::size_t unit) const { return state_.inertial.at(unit); }
+  const robots::inertial_reading& inertial(std::size_t unit) const {
+    return state_.inertial[numbered(unit, state_.inertial.size(), "inertial unit")];
+  }
   const robots::inertial_reading& inertial(std::string_view sensor) const {
     return inertial(static_cast<std::size_t>(
         model().unit_of[index_of(model().names.inertial, sensor, "inertial sensor")]));
@@ -156,13 +169,13 @@ public:
     requires std::is_same_v<Real, double>
   {
     if (link >= 0) numbered(static_cast<std::size_t>(link), tree::links, "link");
-    return frame_of({link, {}});
+    return whole::frame_of(state_.motion, {link, {}});
   }
   moving_frame end(std::size_t part) const
     requires std::is_same_v<Real, double>
   {
     const auto& e = tree::described.ends[numbered(part, tree::described.ends.size(), "part")];
-    return frame_of({e.link, e.where});
+    return whole::frame_of(state_.motion, {e.link, e.where});
   }
   moving_frame end(std::string_view part) const
     requires std::is_same_v<Real, double>
@@ -225,7 +238,7 @@ private:
   void read_units(bool after_beat) {
     if constexpr (std::is_same_v<Real, double>)
       for (std::size_t i = 0; i < state_.inertial.size(); ++i) {
-        const moving_frame now = frame_of(detail::inertial_places<R>[i]);
+        const moving_frame now = whole::frame_of(state_.motion, detail::inertial_places<R>[i]);
         const Eigen::Vector3d before = cca::detail::as_vector(state_.unit_speeds[i]);
         state_.inertial[i] =
             inertial_reading_of(now, after_beat ? before : now.velocity, beat, settings_.engine.gravity);
@@ -304,25 +317,6 @@ private:
       state_.positive_work = state_.positive_work + detail::larger(work, Real(0.0));
       state_.absolute_work = state_.absolute_work + detail::larger(work, -work);
     }
-  }
-
-  moving_frame frame_of(const place_on_link& p) const {
-    const auto& m = state_.motion;
-    const auto base = m.frame();
-    const auto places = whole::at(m).places();
-    const auto f = links::end_frame(places, p);
-    const auto t =
-        links::motion(places, p.link, f.at,
-                      {detail::along(base, m.angular_velocity), detail::along(base, m.velocity)}, m.dq);
-    const auto given = [&](const vector3& v) {
-      const vector3 w = base.direction(v);
-      return Eigen::Vector3d(w[0], w[1], w[2]);
-    };
-    moving_frame r;
-    for (Eigen::Index k = 0; k < 3; ++k) r.where.turn.col(k) = given(f.axes[k]);
-    r.where.at = given(f.at) + Eigen::Vector3d(base.at[0], base.at[1], base.at[2]);
-    r.angular_velocity = given(t.turning), r.velocity = given(t.velocity);
-    return r;
   }
 
   static bool finite(const Real& x) { return detail::everywhere(x - x == Real(0.0)); }

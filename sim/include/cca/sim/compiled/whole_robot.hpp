@@ -1,4 +1,4 @@
-// Centre of mass and energies of a robot in a compiled world, as it is.
+// A robot in a compiled world as it is: its places, its centre of mass, its energies.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/tree_equations.hpp>
+#include <cca/sim/engine/moving_frame.hpp>
 
 namespace cca::sim::detail {
 
@@ -21,10 +22,28 @@ struct whole_robot {
     return now;
   }
 
+  // Of a place on a link, in the world.
+  static moving_frame frame_of(const motion& m, const place_on_link& p) {
+    const auto base = m.frame();
+    const auto places = at(m).places();
+    const auto f = links::end_frame(places, p);
+    const auto t =
+        links::motion(places, p.link, f.at, {along(base, m.angular_velocity), along(base, m.velocity)}, m.dq);
+    const auto given = [&](const triple<Real>& v) {
+      const triple<Real> w = base.direction(v);
+      return Eigen::Vector3d(w[0], w[1], w[2]);
+    };
+    moving_frame r;
+    for (Eigen::Index k = 0; k < 3; ++k) r.where.turn.col(k) = given(f.axes[static_cast<std::size_t>(k)]);
+    r.where.at = given(f.at) + Eigen::Vector3d(base.at[0], base.at[1], base.at[2]);
+    r.angular_velocity = given(t.turning), r.velocity = given(t.velocity);
+    return r;
+  }
+
   static constexpr triple<Real> centre_of_mass(const motion& m) {
     const auto places = at(m).places();
     const auto given = [](const auto& v) { return triple<Real>{Real(v[0]), Real(v[1]), Real(v[2])}; };
-    triple<Real> sum = given(tree::reduced.base.first);
+    triple<Real> sum = given(tree::reduced.base.first) - Real(tree::held.mass) * given(tree::held.centre);
     for (std::size_t i = 0; i < tree::links; ++i) {
       const auto& of = tree::reduced.links[i].mass;
       sum = sum + Real(of.mass) * places[i].at + places[i].direction(given(of.first));

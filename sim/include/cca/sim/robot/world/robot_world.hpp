@@ -89,15 +89,24 @@ public:
     return state().joints[index_of(model().names.joints, name, "joint")];
   }
   // The torque about the sensor's origin, then the force of the world, along the sensor's axes.
-  const std::array<double, 6>& load(std::size_t sensor) const { return state().loads.at(sensor); }
+  const std::array<double, 6>& load(std::size_t sensor) const {
+    return state().loads[numbered(sensor, state().loads.size(), "force sensor")];
+  }
   const std::array<double, 6>& load(std::string_view sensor) const {
     return load(index_of(model().names.sensors, sensor, "force sensor"));
   }
 
   // Of the world on all shapes at the end of a part, along the world's axes: N, a mean over the beat.
-  const std::array<double, 3>& force_on_end(std::size_t part) const { return state().end_forces.at(part); }
+  const std::array<double, 3>& force_on_end(std::size_t part) const {
+    return state().end_forces[numbered(part, state().end_forces.size(), "part")];
+  }
+  const std::array<double, 3>& force_on_end(std::string_view part) const {
+    return force_on_end(index_of(model().names.ends, part, "part"));
+  }
 
-  const inertial_reading& inertial(std::size_t unit) const { return state().inertial.at(unit); }
+  const inertial_reading& inertial(std::size_t unit) const {
+    return state().inertial[numbered(unit, state().inertial.size(), "inertial unit")];
+  }
   const inertial_reading& inertial(std::string_view sensor) const {
     return inertial(static_cast<std::size_t>(
         model().unit_of[index_of(model().names.inertial, sensor, "inertial sensor")]));

@@ -21,6 +21,7 @@
 #include <cca/sim/engine/checked_scene.hpp>
 #include <cca/sim/engine/engine.hpp>
 #include <cca/sim/engine/refused_number.hpp>
+#include <cca/sim/robot/model/checked_settings.hpp>
 #include <cca/sim/robot/forces/drives_in_engine.hpp>
 #include <cca/sim/robot/forces/gyroscopic.hpp>
 #include <cca/sim/robot/world/inertial_units.hpp>
@@ -196,13 +197,6 @@ private:
     if (!(step > 0 && std::isfinite(step)))
       throw std::invalid_argument("cca::sim::robot_world: a beat has at least one physics step, above 0 s");
     return step;
-  }
-  static void check(const robot_world_settings& s) {
-    sim::check(s.engine);
-    need_place(s.mount, "the mount of the robot");
-    for (const double bound :
-         {s.plausible.speed, s.plausible.turn, s.plausible.energy, s.plausible.stop, s.plausible.stop_way})
-      need(bound >= 0, "a bound of what is plausible", bound, "", "at least 0");
   }
   dBodyID ball_body(std::size_t i) const {
     return shapes_.balls()[numbered(i, shapes_.balls().size(), "ball")];

@@ -1,0 +1,17 @@
+// Throws std::invalid_argument for settings of a robot's world that no world can have.
+#pragma once
+
+#include <cca/sim/engine/checked_scene.hpp>
+#include <cca/sim/robot/model/robot_world_settings.hpp>
+
+namespace cca::sim {
+
+inline void check(const robot_world_settings& s) {
+  check(s.engine);
+  need_place(s.mount, "the mount of the robot");
+  for (const double bound :
+       {s.plausible.speed, s.plausible.turn, s.plausible.energy, s.plausible.stop, s.plausible.stop_way})
+    need(bound >= 0, "a bound of what is plausible", bound, "", "at least 0");
+}
+
+}  // namespace cca::sim
