@@ -66,6 +66,7 @@ struct rewriting {
   std::function<bool(const std::string& topic)> keeps{};  // channels
   bool has_schemas = true;
   std::function<void(mcap::text_map& entries)> change_metadata{};
+  std::string without{};  // the metadata of this name
 };
 
 inline void rewrite(const std::string& from, const std::string& to, const rewriting& how) {
@@ -104,6 +105,7 @@ inline void rewrite(const std::string& from, const std::string& to, const rewrit
   };
   const auto put_metadata = [&](const cca::recording::mcap_reader& r) {
     for (auto [name, entries] : r.metadata()) {
+      if (name == how.without) continue;
       if (how.change_metadata) how.change_metadata(entries);
       record(all, op::metadata, mcap::byte_writer().add(name).add(entries));
     }

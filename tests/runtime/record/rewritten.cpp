@@ -175,6 +175,23 @@ TEST_CASE("a file that can't be replayed is refused for its true reason") {
         "order of messages");
   CHECK(seventh_becomes(6) ==
         ": a sample of `swing.angles` of beat 6 is there twice: are two recordings merged in this file?");
+  const auto gap = [&](bool whole) {
+    return r.refusal({.change = [=](const std::string& topic, bytes& data) {
+      return topic != "/leg/angles" || (!whole && beat_in(data) != 7);
+    }});
+  };
+  constexpr auto left_out = " is missing: another tool has left out or moved messages";
+  CHECK(gap(false) == std::string("not refused: what `leg.angles` sensed in beat 7") + left_out);
+  CHECK(gap(true) == std::string("not refused: what `leg.angles` sensed in beat 0") + left_out);
+  const auto no_parameters = ": no parameters are recorded of `filter`: keep the topics /cca/parameters/*";
+  CHECK(r.refusal({.keeps = [](const std::string& topic) {
+           return !topic.starts_with("/cca/parameters/");
+         }}).find(no_parameters) == 0);
+  CHECK(r.refusal({.change = [](const std::string& topic, bytes&) {
+           return !topic.starts_with("/cca/parameters/");
+         }}).find(no_parameters) == 0);
+  CHECK(r.refusal({.without = "cca.end"}) ==
+        "not refused: the recording does not say that it ended: it is a part of another one");
   // Before the first whole chunk.
   std::filesystem::resize_file(r.file.path, 3000);
   CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(r.file.path),

@@ -96,6 +96,10 @@ TEST_SUITE("a position that wraps") {
             r.error.str());
         CHECK(r.seen.empty());
       }
+      mit_rig told(s);  // the range that the message advises
+      told.order.limits.low = -0.3236, told.order.limits.high = 0.3236;
+      told.order.goal = 0.1;
+      CHECK_MESSAGE(told.jogs() == 0, told.error.str());
       mit_rig pushed(s);
       pushed.order.limits.low = -0.32, pushed.order.limits.high = 0.32;
       pushed.order.goal = 0.3;

@@ -88,14 +88,15 @@ inline double longest_way(double speed) { return fastest(speed) * 1e-9 * detail:
 inline trouble beyond_reports(const jog_limits& l, const any_drive& d) {
   if (!(d.wraps > 0)) return {};
   char text[300] = "";
-  constexpr double silence = 1e-9 * detail::silence;
+  constexpr double silence = 1e-9 * detail::silence, as_printed = 5e-5;  // rad: the text has four digits
   const double end = d.wraps / 2, way = longest_way(l.speed), within = std::max(0.0, end - jog_slack - way);
   if (!(way < end))
     std::snprintf(text, sizeof text,
                   "its position begins again after %.4f rad, and it can turn by half of that in the %.1f s "
                   "that it may be silent: state less than %.3f rad/s",
                   d.wraps, silence, std::max(0.0, (end / silence - 0.5) / 2));
-  else if ((d.may_stay || !d.takes_torque_alone()) && !(l.low >= -within && l.high <= within))
+  else if ((d.may_stay || !d.takes_torque_alone()) &&
+           !(l.low >= -within - as_printed && l.high <= within + as_printed))
     std::snprintf(
         text, sizeof text,
         "the positions that it reports end at %.4f and %.4f rad, where they stay or begin again: at "

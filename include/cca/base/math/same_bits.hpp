@@ -10,8 +10,8 @@
 //
 // Errors, when it is compiled: math.fast (rounding.hpp); with CCA_SAME_BITS math.vectorised, else at start.
 // At start, since no compiler tells of them: math.fused, a product is added before it is rounded, in any file
-// that includes this; math.rounding and math.subnormal, of the thread that asks. Cost: microseconds before
-// main, for each file.
+// that includes this; math.fast, of those parts of -ffast-math that clang does not tell; math.rounding and
+// math.subnormal, of the thread that asks. Cost: microseconds before main, for each file.
 #pragma once
 
 #include <cstdint>
@@ -75,6 +75,25 @@ struct bit_probe {
     }
   }
 
+  // What only -freciprocal-math and -fassociative-math, parts of -ffast-math, may compute otherwise.
+  [[gnu::noinline]] void reorder(double* to) const {
+    double sum = 0;
+    const double by = b[0];
+    for (int i = 0; i < size; ++i) sum += a[i];
+    for (int i = 0; i < size; i += 2) {
+      to[i] = a[i] / by;
+      to[i + 1] = (sum + b[i]) - sum;
+    }
+  }
+  [[gnu::noinline]] void keep_order(double* to) const {
+    double sum = 0;
+    for (int i = 0; i < size; ++i) sum = rounded(sum + a[i]);
+    for (int i = 0; i < size; i += 2) {
+      to[i] = a[i] / rounded(b[0]);
+      to[i + 1] = rounded(sum + b[i]) - sum;
+    }
+  }
+
   static double rounded(double product) {
     volatile double kept_apart = product;
     return kept_apart;
@@ -88,7 +107,7 @@ struct bit_probe {
       if (std::bit_cast<std::int64_t>(one_way[i]) != std::bit_cast<std::int64_t>(other_way[i])) return true;
     return false;
   }
-  static bool fuses() {
+  static const char* problem() {
     std::uint64_t state = 88172645463325252u;
     const auto draw = [&state] {  // 1 to 2
       state ^= state << 13, state ^= state >> 7, state ^= state << 17;
@@ -100,24 +119,23 @@ struct bit_probe {
       if (p.differs(&bit_probe::fuse_alone, &bit_probe::round_alone) ||
           p.differs(&bit_probe::fuse_beside, &bit_probe::round_beside) ||
           p.differs(&bit_probe::fuse_in_loop, &bit_probe::round_in_loop))
-        return true;
+        return "math.fused: this program adds products before they are rounded, so it has other bits on a "
+               "machine that can't: link cca::same_bits, or compile all of it with -ffp-contract=off and as "
+               "docs/same_bits.md says";
+      if (p.differs(&bit_probe::reorder, &bit_probe::keep_order))
+        return "math.fast: this program adds or divides in another order than it is written, as with "
+               "-ffast-math or a part of it: compile all of it without that option";
     }
-    return false;
+    return nullptr;
   }
 };
 [[maybe_unused]] const bool bits_are_probed = [] {
 #if !defined(EIGEN_DONT_VECTORIZE) || defined(EIGEN_VECTORIZE)
   broken_bits =
       "math.vectorised: Eigen adds in another order on each machine: link cca::same_bits, or compile all of "
-      "it "
-      "with -DEIGEN_DONT_VECTORIZE";
+      "it with -DEIGEN_DONT_VECTORIZE";
 #endif
-  if (bit_probe::fuses())
-    broken_bits =
-        "math.fused: this program adds products before they are rounded, so it has other bits on a machine "
-        "that "
-        "can't: link cca::same_bits, or compile all of it with -ffp-contract=off and as docs/same_bits.md "
-        "says";
+  if (const char* const found = bit_probe::problem()) broken_bits = found;
   return true;
 }();
 

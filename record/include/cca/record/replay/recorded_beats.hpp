@@ -58,6 +58,7 @@ public:
     for (mcap_message m; whole.next(m);) ++messages;
     damaged = whole.damage();
     cut_off = whole.is_cut_off();
+    for (const auto& note : whole.metadata()) ended = ended || note.first == "cca.end";
     if (messages == 0 && !damaged.empty()) throw refused(called + " can't be read: " + damaged);
     check_architecture(whole);
     find_environments(whole);
@@ -77,12 +78,13 @@ public:
 
   bool has(int output) const { return is_recorded[cca::detail::array_size(output)]; }
   // Whether the process that recorded it ran the environment of an output.
-  bool ran_here([[maybe_unused]] int output) const {
-    if constexpr (AnyDeployment<Graph>) return is_here[cca::detail::array_size(environment_of(output))];
+  bool ran_here(int output) const { return node_ran_here(cca::detail::node_of_output<Graph>(output)); }
+  bool node_ran_here([[maybe_unused]] int node) const {
+    if constexpr (AnyDeployment<Graph>)
+      return is_here[cca::detail::array_size(
+          cca::detail::plan_of<Graph>.nodes[cca::detail::array_size(node)].place)];
     else return true;
   }
-  // Whether the parameters of a component were recorded.
-  bool has_parameters(int node) const { return is_set[cca::detail::array_size(node)]; }
   // As the file describes the parameters of a component; null: it does not.
   const std::string* parameter_schema_of(int node) const {
     const auto found = parameter_schemas.find(node);
@@ -90,7 +92,13 @@ public:
   }
   // Why the file can't be read to its end; empty: it can.
   const std::string& damage() const { return damaged; }
-  bool is_cut_off() const { return cut_off; }
+  // Why the recording is not whole; empty: it is. A recorder that is closed says so; what another tool has
+  // made of a part does not.
+  std::string missing_end() const {
+    if (!damaged.empty())
+      return (cut_off ? "the recording is cut off: " : "the recording is damaged: ") + damaged;
+    return ended ? "" : "the recording does not say that it ended: it is a part of another one";
+  }
 
   bool next(recorded_item& item) {
     for (mcap_message m; file.next(m);) {
@@ -151,10 +159,6 @@ private:
     if constexpr (AnyDeployment<Graph>) return cca::detail::environment_count<Graph>;
     else return 1;
   }();
-  static int environment_of(int output) {
-    return cca::detail::plan_of<Graph>.nodes[cca::detail::array_size(cca::detail::node_of_output<Graph>(output))]
-        .place;
-  }
   // A file that does not say it has all of them.
   void find_environments([[maybe_unused]] const mcap_reader& whole) {
     is_here.fill(true);
@@ -199,10 +203,8 @@ private:
         is_recorded[cca::detail::array_size(o)] = true;
       }
     for (int n = 0; n < cca::detail::counts_of<Graph>.node_count; ++n)
-      if (topic == std::string(parameter_topics) + topic_of(cca::detail::path_of_node<Graph>(n)).substr(1)) {
+      if (topic == std::string(parameter_topics) + topic_of(cca::detail::path_of_node<Graph>(n)).substr(1))
         use = {use_kind::parameters, n};
-        is_set[cca::detail::array_size(n)] = true;
-      }
     if (topic == state_topic) use.what = use_kind::state, has_states = true;
     if (topic == fault_topic) use.what = use_kind::fault;
     if (topic == lost_topic) use.what = use_kind::lost;
@@ -284,9 +286,8 @@ private:
   std::map<std::uint16_t, channel_use> by_channel;
   std::map<int, std::string> parameter_schemas;
   std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)> is_recorded{};
-  std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.node_count + 1)> is_set{};
   std::array<bool, cca::detail::array_size(environments)> is_here{};
-  bool has_states = false, cut_off = false;
+  bool has_states = false, cut_off = false, ended = false;
 };
 
 }  // namespace cca::recording::detail

@@ -1,9 +1,11 @@
-// Parameters of a component, as a recording has them. Errors: cca::refused, if they are not those of the
-// component, or, where they are checked, if they do not hold.
+// Parameters of a component, as a recording has them. Errors: cca::refused, if they are missing or not those
+// of the component, or, where they are checked, if they do not hold.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cca/base/refused.hpp>
@@ -43,5 +45,34 @@ void take_parameters(C& component,
       throw refused(called + ": recorded parameters: " + wrong.path + ": " + printable(wrong.what));
   component.p = values;
 }
+
+// The components whose parameters a recording has told so far.
+template <class Graph>
+class told_parameters {
+public:
+  void add(int node) { is_told[cca::detail::array_size(node)] = true; }
+
+  // The others that ran in the recorded process; empty: none.
+  template <class Controller, class Items>
+  std::string missing(Controller& c, const Items& items) const {
+    std::string all;
+    int node = 0;
+    c.for_each_component([&]<class C>(std::string_view path, C&) {
+      if (HasParameters<C> && !is_told[cca::detail::array_size(node)] && items.node_ran_here(node))
+        all.append(all.empty() ? "`" : ", `").append(path).append("`");
+      ++node;
+    });
+    return all;
+  }
+  template <class Controller, class Items>
+  void check(Controller& c, const Items& items, const std::string& called) const {
+    if (const std::string all = missing(c, items); !all.empty())
+      throw refused(called + ": no parameters are recorded of " + all +
+                    ": keep the topics /cca/parameters/* when you filter a recording");
+  }
+
+private:
+  std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.node_count + 1)> is_told{};
+};
 
 }  // namespace cca::recording::detail

@@ -39,7 +39,7 @@ public:
     forget_beat();
     c.record_into(this);
     each_node([&]<class C>(int node, C&) {
-      if (const auto* const schema = items.parameter_schema_of(node))
+      if (const auto* schema = items.parameter_schema_of(node))
         check_names_of_parameters<Graph, C>(node, *schema, called);
     });
   }
@@ -69,9 +69,8 @@ private:
     }
     if (has_samples && items.damage().empty()) beat();  // of the last beat a part may be lost
     if (!is_finished()) compare_modes();
-    if (result.difference.empty() && !items.damage().empty())
-      result.ended_early =
-          (items.is_cut_off() ? "the recording is cut off: " : "the recording is damaged: ") + items.damage();
+    if (const std::string missing = items.missing_end(); result.difference.empty() && !missing.empty())
+      result.ended_early = missing;
     if (!is_finished() && result.beats == 0) result.ended_early = "the recording has no beat";
   }
 
@@ -144,6 +143,7 @@ private:
       failed_component = e.component;
       has_samples = true;
     } else if (e.kind == event_kind::parameters) {
+      told.add(e.node);
       each_node([&]<class C>(int node, C& component) {
         if constexpr (HasParameters<C>)
           if (node == e.node)  // before load() they may be anything: load() checks them
@@ -207,13 +207,7 @@ private:
     try {
       move_to(c, to);
     } catch (const refused& why) {
-      std::string missing;
-      each_node([&]<class C>(int node, C&) {
-        if constexpr (HasParameters<C>)
-          if (!items.has_parameters(node))
-            missing.append(missing.empty() ? "" : ", ")
-                .append("`" + cca::detail::path_of_node<Graph>(node) + "`");
-      });
+      const std::string missing = told.missing(c, items);
       throw refused(called + ": in replay the state `" + to + "` is refused: " + printable(why.what()) +
                     (missing.empty() ? "" : " (no parameters are recorded of " + missing + ")"));
     }
@@ -225,6 +219,7 @@ private:
   void beat() {
     if (c.state() != state::started) return check_begin(), forget_beat();
     if (!compare_modes()) return;
+    if (result.beats == 0) told.check(c, items, called);
     feed();
     const int mode = active_mode();
     c.step();
@@ -250,12 +245,10 @@ private:
           }
         }
         if (!reason.empty() && failed_component == cca::detail::path_of_node<Graph>(node))
-          component.fail(kept_reason());
+          component.fail(reasons.emplace_back(reason).c_str());
       }
     });
   }
-  // A fault points to its text.
-  const char* kept_reason() { return reasons.emplace_back(reason).c_str(); }
 
   void compare(int mode) {
     const std::int64_t* const replayed_frame = this->ring.oldest();
@@ -277,7 +270,8 @@ private:
         result.samples += is_computed;  // the others were fed
         continue;
       }
-      differ(o, sample_text(was, then, size), sample_text(is, now, size));
+      if (was == never && !is_computed) end_at_gap(o);
+      else differ(o, sample_text(was, then, size), sample_text(is, now, size));
       this->ring.take();
       return;
     }
@@ -291,6 +285,11 @@ private:
     else if (by_component) compared.add();
   }
 
+  void end_at_gap(int o) {
+    result.beat = k;
+    result.ended_early = "what `" + cca::detail::path_of_output<Graph>(o) + "` sensed in beat " +
+                         std::to_string(k) + " is missing: another tool has left out or moved messages";
+  }
   // Before a beat: the mode that was recorded is active.
   bool compare_modes() {
     if constexpr (Modes<Graph>)
@@ -331,8 +330,9 @@ private:
   std::int64_t k = 0;
   std::string reason, failed_component, mode_recorded, clock_says;
   const std::vector<std::vector<int>> orders = orders_of_beats<Graph>();
-  std::deque<std::string> reasons;
+  std::deque<std::string> reasons;  // a fault points to its text
   bool has_samples = false, is_playing = false;
+  told_parameters<Graph> told;
   comparison compared;
   replay_result result;
 };
