@@ -10,7 +10,7 @@
 //
 // Errors, when it is compiled: math.fast (rounding.hpp); with CCA_SAME_BITS math.vectorised, else at start.
 // At start, since no compiler tells of them: math.fused, a product is added before it is rounded, in any file
-// that includes this; math.fast, of those parts of -ffast-math that clang does not tell; math.rounding and
+// that includes this; math.fast, of parts of -ffast-math that a compiler may not tell; math.rounding and
 // math.subnormal, of the thread that asks. Cost: microseconds before main, for each file.
 #pragma once
 
