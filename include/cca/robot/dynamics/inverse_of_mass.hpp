@@ -41,7 +41,7 @@ constexpr coordinate_pairs<Size> branch_pairs(const std::array<body_link, Count>
 
 // Which coordinates move one another: the inverse of M is zero elsewhere.
 template <int Size>
-constexpr coordinate_pairs<Size> joined(coordinate_pairs<Size> of) {
+constexpr coordinate_pairs<Size> coupled(coordinate_pairs<Size> of) {
   for (int k = 0; k < Size; ++k)
     for (int i = 0; i < Size; ++i)
       for (int j = 0; j < Size; ++j) of(i, j) = of(i, j) || (of(i, k) && of(k, j));
@@ -51,7 +51,7 @@ constexpr coordinate_pairs<Size> joined(coordinate_pairs<Size> of) {
 template <class Body>
 inline constexpr auto branches_of = branch_pairs<axes_of<Body>::count>(weighed_links_of<Body>);
 template <class Body>
-inline constexpr auto coupled_coordinates_of = joined(branches_of<Body>);
+inline constexpr auto coupled_coordinates_of = coupled(branches_of<Body>);
 
 // The coordinates of a body whose base moves as it is told.
 template <class Body>
@@ -69,7 +69,7 @@ struct free_coordinates {
       for (int c = 0; c < size; ++c) of(r, c) = r < 6 || c < 6 || branches_of<Body>(r - 6, c - 6);
     return of;
   }();
-  static constexpr auto inverse = joined(mass);
+  static constexpr auto inverse = coupled(mass);
   static constexpr auto by_coordinates = [] {  // the columns of `mass` without those of the base
     coordinate_pairs<size, n> of;
     for (int r = 0; r < size; ++r)
