@@ -71,8 +71,13 @@ struct recorder {
   std::uint64_t owners[most_outputs];
   int operation_count = 0, constant_count = 0, output_count = 0;
   bool is_full = false;
+  // Constants keep their signs: algorithms that differ in numbers only then make equal operations.
+  bool keeps_signs = false;
 
   constexpr recorder() {}
+
+  // Whether a constant is written down as its negative.
+  constexpr bool turns(double constant) const { return constant < 0 && !keeps_signs; }
 
   constexpr recorded input(int i) { return {this, first_input + i, false}; }
   // `owners`: a bit for each owner of inputs that this output must not lose (tape.hpp).
@@ -81,13 +86,13 @@ struct recorder {
       is_full = true;
       return;
     }
-    const bool minus = x.is_constant() ? x.constant < 0 : x.is_negative;
+    const bool minus = x.is_constant() ? turns(x.constant) : x.is_negative;
     const int operand = x.is_constant() ? operand_of(minus ? -x.constant : x.constant) : x.operand();
     owners[output_count] = owners_of_x;
     outputs[output_count++] = minus ? ~operand : operand;
   }
 
-  // A constant that is not negative.
+  // A constant; not negative, unless signs are kept.
   constexpr int operand_of(double value) {
     const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);  // -0 is 0
     auto at = static_cast<std::uint32_t>(bits >> 32 ^ bits) * 2654435761u >> 22;
@@ -126,7 +131,7 @@ constexpr recorded operator+(const recorded& x, const recorded& y) {
   recorder& r = *x.in;
   if (y.is_constant()) {
     if (y.constant == 0) return x;
-    const bool minus = y.constant < 0;
+    const bool minus = r.turns(y.constant);
     const int k = r.operand_of(minus ? -y.constant : y.constant);
     if (minus == x.is_negative) return {&r, r.operand_of(operation::add, x.operand(), k), minus};
     return {&r, r.operand_of(operation::subtract, x.operand(), k), x.is_negative};
@@ -146,7 +151,7 @@ constexpr recorded operator*(const recorded& x, const recorded& y) {
     if (x.constant == 1) return y;
     if (x.constant == -1) return -y;
     recorder& r = *y.in;
-    const bool minus = x.constant < 0;
+    const bool minus = r.turns(x.constant);
     const int k = r.operand_of(minus ? -x.constant : x.constant);
     return {&r, r.operand_of(operation::multiply, y.operand(), k), y.is_negative != minus};
   }
@@ -161,7 +166,7 @@ constexpr recorded operator/(const recorded& x, const recorded& y) {
   if (!x.is_constant())
     return {&r, r.operand_of(operation::divide, x.operand(), y.operand()), x.is_negative != y.is_negative};
   if (x.constant == 0) return 0.0;
-  const bool minus = x.constant < 0;
+  const bool minus = r.turns(x.constant);
   const int k = r.operand_of(minus ? -x.constant : x.constant);
   return {&r, r.operand_of(operation::divide, k, y.operand()), y.is_negative != minus};
 }

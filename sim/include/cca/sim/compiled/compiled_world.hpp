@@ -280,7 +280,7 @@ private:
     for (std::size_t i = 0; i < state_.loads.size(); ++i) {
       if (detail::load_parts<R>[i] != s.end) continue;
       const auto& e = tree::described.ends[static_cast<std::size_t>(s.end)];
-      const auto f = links::end_frame(now.places, {e.link, e.where});
+      const auto f = links::end_frame(now.now.places, {e.link, e.where});
       const vector3 given = detail::along(now.base, c.force),
                     arm = detail::along(now.base, c.at - now.base.at) - f.at;
       const vector3 torque = detail::along(f, cross(arm, given)), own = detail::along(f, given);
@@ -298,12 +298,12 @@ private:
     for (std::size_t part = 0; part < state_.pulls.size(); ++part) {
       const auto& e = tree::described.ends[part];
       const auto& [force, torque] = state_.pulls[part];
-      const vector3 at = links::point(now.places, e.link, tree::point({e.link, e.where}));
-      links::add_wrench(now.places, e.link, at, given(force), given(torque), now.now.forces);
+      const vector3 at = links::point(now.now.places, e.link, tree::point({e.link, e.where}));
+      links::add_wrench(now.now.places, e.link, at, given(force), given(torque), now.now.forces);
     }
     constexpr auto c = cca::detail::base_inertia_of<typename R::body>().centre;
     if constexpr (tree::floats)
-      links::add_wrench(now.places, -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state_.push), {},
+      links::add_wrench(now.now.places, -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state_.push), {},
                         now.now.forces);
   }
 

@@ -90,7 +90,7 @@ private:
     std::size_t shallow = 0;
     for (std::size_t i = 0; i < probes::count; ++i) {
       const probe& p = probes::all[i];
-      const triple<Real> at = on_links<R, Real>::point(step.places, p.link, p.at),
+      const triple<Real> at = on_links<R, Real>::point(step.now.places, p.link, p.at),
                          world = step.base.at + step.base.direction(at);
       const ground_touch<Real> t = touch_of(under, world, p.radius);
       if (!(t.depth > Real(0.0))) continue;
@@ -192,7 +192,7 @@ private:
       }
     }
     on_links<R, Real>::each_joint(
-        step.places, p.link,
+        step.now.places, p.link,
         [&](std::size_t row, const triple<Real>& axis, const triple<Real>& from, bool turns) {
           const triple<Real> moves = turns ? cross(axis, at - from) : axis;
           const auto k = static_cast<std::size_t>(of.depth[row]);

@@ -53,13 +53,11 @@ public:
   using equations = tree_equations<R, Real>;
   using vector = typename branch_matrix<tree::branches, Real>::vector;
   using coordinates = typename equations::coordinates;
-  using frames = std::array<placed_frame<Real>, tree::links>;
 
   static constexpr int most_rounds = 6;
 
-  equations now{};
+  equations now{};            // with the places of the links
   placed_frame<Real> base{};  // in the world
-  frames places{};            // of the reduced links, in the base
   vector change{};            // of the velocities, along the axes of the base
   int rounds = 0;
 
@@ -70,7 +68,6 @@ public:
     m.drift(0.5 * h);
     base = m.frame();
     now.look(m.q);
-    places = now.places();
     const Real half(0.5 * h);
     coordinates speeds;
     for (std::size_t c = 0; c < n; ++c) speeds[c] = m.dq[c] + half * m.change[c];
@@ -143,7 +140,7 @@ private:
       else p.wound = m.q[c] + Real(0.5 * h) * m.dq[c], p.speed = m.dq[c];
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i)
-      lines[i] = {tree::lines[i], places, m.dq, [&](std::size_t c) { return joints[c].inertia; }, h};
+      lines[i] = {tree::lines[i], now.places, m.dq, [&](std::size_t c) { return joints[c].inertia; }, h};
   }
 
   constexpr answer<Real> motor_of(const tree_drives<R, Real>& drives,

@@ -25,7 +25,7 @@ struct whole_robot {
   // Of a place on a link, in the world.
   static moving_frame frame_of(const motion& m, const place_on_link& p) {
     const auto base = m.frame();
-    const auto places = at(m).places();
+    const auto places = at(m).only_places();
     const auto f = links::end_frame(places, p);
     const auto t =
         links::motion(places, p.link, f.at, {along(base, m.angular_velocity), along(base, m.velocity)}, m.dq);
@@ -41,7 +41,7 @@ struct whole_robot {
   }
 
   static constexpr triple<Real> centre_of_mass(const motion& m) {
-    const auto places = at(m).places();
+    const auto places = at(m).only_places();
     const auto given = [](const auto& v) { return triple<Real>{Real(v[0]), Real(v[1]), Real(v[2])}; };
     triple<Real> sum = given(tree::reduced.base.first) - Real(tree::held.mass) * given(tree::held.centre);
     for (std::size_t i = 0; i < tree::links; ++i) {
@@ -67,7 +67,7 @@ struct whole_robot {
   }
 
   static constexpr Real spring_energy(const motion& m) {
-    const auto places = at(m).places();
+    const auto places = at(m).only_places();
     Real sum{};
     for (const auto& l : tree::lines) {
       const triple<Real> line = links::point(places, l.to, l.to_at) - links::point(places, l.from, l.from_at);
