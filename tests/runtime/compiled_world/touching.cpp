@@ -13,48 +13,9 @@ using namespace compiled_test;
 
 namespace {
 
-// A sledge on three round feet; a rod on it is held by a stiff spring.
-struct sledge_frame : cca::frame<"sledge"> {};
-struct rod_frame : cca::frame<"rod"> {};
-struct sway : cca::dimension<"sway"> {
-  static constexpr auto limits = cca::limits{cca::angle{-1, 1}};
-};
-struct rod_chain : cca::serial_chain<sledge_frame, rod_frame, cca::axes<sway>> {
-  static constexpr std::array joints{cca::revolute(cca::along_z)};
-  static constexpr auto tip = cca::at(0, 0, 0.05);
-  static constexpr std::array links{cca::link_inertia{0.1, {0, 0, 0}, {1e-4, 1e-4, 1e-4, 0, 0, 0}}};
-};
-constexpr double radius = 0.01, mass = 2.1, gravity = 9.81;
-struct sledge {
-  struct body : cca::body<sledge_frame, cca::part<"rod", rod_chain>> {
-    static constexpr cca::link_inertia base{2, {0, 0, 0}, {0.01, 0.01, 0.02, 0, 0, 0}};
-  };
-  using rate = cca::rate<1000>;
-  using commands = robots::commands<robots::torque_command>;
-  static constexpr bool floats = true;
-  static constexpr std::array drives{robots::joint_drive{.spring = 10}};
-  static constexpr std::array shapes{robots::on_base(robots::sphere(radius), cca::at(0.2, 0, -0.05)),
-                                     robots::on_base(robots::sphere(radius), cca::at(-0.1, 0.15, -0.05)),
-                                     robots::on_base(robots::sphere(radius), cca::at(-0.1, -0.15, -0.05))};
-};
-
 struct springy : sledge {
   static constexpr std::array drives{robots::joint_drive{.spring = -10}};
 };
-
-// On a slope from x = -10 on, or on level ground, with its feet as deep as it takes to carry them.
-sim::compiled_world<sledge> on_slope(double pitch, double friction) {
-  sim::scene hill;
-  hill.ground = sim::terrain::slope(pitch, -10).with_friction(friction);
-  sim::compiled_world<sledge> w(hill);
-  const double deep = 0.0005 + mass * gravity * std::cos(pitch) / 3 / 40e3, above = 0.05 + radius - deep;
-  const cca::placement there =
-      cca::at(-above * std::sin(pitch), 0, 10 * std::tan(pitch) + above * std::cos(pitch)) *
-      cca::turned_about(cca::along_y, -pitch);
-  w.place({0}, {0}, there, {}, {});
-  return w;
-}
-double speed(const sim::compiled_world<sledge>& w) { return w.frame(-1).velocity.norm(); }
 
 struct walking : robots::oncilla::description {};
 std::array<sim::joint_law, 16> standing() {

@@ -10,6 +10,7 @@
 #include <cca/sim/compiled/inertial_places.hpp>
 #include <cca/sim/compiled/probes.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
+#include <cca/sim/robot/model/contact_account.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
 
 namespace cca::sim {
@@ -41,9 +42,10 @@ struct compiled_state {
   std::array<std::array<Real, 3>, tree::described.ends.size()> end_forces{};
   std::array<robots::inertial_reading, detail::inertial_places<R>.size()> inertial{};
   std::array<std::array<double, 3>, detail::inertial_places<R>.size()>
-      unit_speeds{};                      // m/s, after the last beat
-  std::array<double, 3> planned{};        // the push that a plan said last
-  Real positive_work{}, absolute_work{};  // J, of the motors
+      unit_speeds{};                // m/s, after the last beat
+  std::array<double, 3> planned{};  // the push that a plan said last
+  std::array<contact_account, detail::probes_of<R>::shape_count> contacts{};  // of the shapes
+  Real positive_work{}, absolute_work{};                                      // J, of the motors
   std::int64_t beats = 0;
   world_trouble trouble{};
 };

@@ -1,58 +1,157 @@
-// Whether the motion of a compiled world can still be right: bounds of plausible.hpp.
+// Whether the motion of a compiled world can still be right: the bounds of plausible.hpp, of the bodies that
+// the engine has, in the same order.
 //
-// Looked at: that all numbers are finite; the speed of the base, and of each prismatic joint; how fast the
-// base and each revolute joint turn; how far a joint is beyond a stop. The bound of the energy is not looked
-// at: M is not at hand where the step ends.
+// Sums of speeds along each branch bound the motion of all bodies. Only where these are too large, the bodies
+// are looked at one by one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include <cca/sim/compiled/tree_step.hpp>
+#include <cca/sim/compiled/whole_robot.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
 
 namespace cca::sim::detail {
+
+template <class R, class Real>
+struct look_at_motion {
+  using tree = compiled_tree<R>;
+  using motion = tree_motion<Real, tree::coordinates, tree::floats>;
+  using links = on_links<R, Real>;
+
+  // The first body that can't be right: the base, if it floats, then the links.
+  static constexpr world_trouble at_bodies(const motion& m, const plausible_bounds& bounds, double step) {
+    if (is_surely_right(m, bounds, step)) return {};
+    const auto base = m.frame();
+    const typename links::twist motion_of_base{along(base, m.angular_velocity), along(base, m.velocity)};
+    const auto places = whole_robot<R, Real>::at(m).only_places();
+    Real energy{};
+    const auto judge = [&](int body, const link_inertia& of) -> world_trouble {
+      const placed_frame<Real> frame = links::end_frame(places, {body, {}});
+      const auto& c = of.centre;
+      const triple<Real> centre = frame.at + frame.direction({Real(c[0]), Real(c[1]), Real(c[2])});
+      const auto t = links::motion(places, body, centre, motion_of_base, m.dq);
+      const Real speed = root(dot(t.velocity, t.velocity)), turning = root(dot(t.turning, t.turning)),
+                 own = kinetic(of, speed, along(frame, t.turning));
+      energy = energy + own;
+      if (!is_finite(speed + turning + own + (centre[0] + centre[1] + centre[2]) +
+                     (base.at[0] + base.at[1] + base.at[2])))
+        return {implausible::number, body};
+      if (is_beyond(speed, bounds.speed)) return {implausible::speed, body, number(speed), bounds.speed};
+      if (is_beyond(Real(step) * turning, bounds.turn))
+        return {implausible::turning, body, number(turning), bounds.turn / step};
+      if (is_beyond(energy, bounds.energy)) return {implausible::energy, body, number(energy), bounds.energy};
+      return {};
+    };
+    if constexpr (tree::floats)
+      if (const auto found = judge(world_trouble::base, base_inertia)) return found;
+    for (std::size_t i = 0; i < tree::links; ++i) {
+      const link_inertia& of = tree::described.links[i].inertia;
+      if (!(of.mass > 0)) continue;
+      if (const auto found = judge(static_cast<int>(i), of)) return found;
+    }
+    return {};
+  }
+
+  // The first joint whose number is none, or that is too far beyond a stop.
+  static constexpr world_trouble at_joints(const motion& m, const plausible_bounds& bounds) {
+    for (std::size_t i = 0; i < tree::links; ++i) {
+      const auto& l = tree::reduced.links[i];
+      const auto c = static_cast<std::size_t>(l.coordinate);
+      if (!is_finite(m.q[c] + m.dq[c])) return {implausible::number, static_cast<int>(i)};
+      const joint_range& range = tree::ranges[c];
+      if (!range.exists()) continue;
+      const double bound = l.revolute ? bounds.stop : bounds.stop_way;
+      const Real beyond =
+          Real(size_of(l.ratio)) * larger(m.q[c] - Real(range.high), Real(range.low) - m.q[c]);
+      if (is_beyond(beyond, bound)) return {implausible::stop, static_cast<int>(i), number(beyond), bound};
+    }
+    return {};
+  }
+
+private:
+  static constexpr link_inertia base_inertia = cca::detail::base_inertia_of<typename R::body>();
+
+  static constexpr double size_of(double x) { return x < 0 ? -x : x; }
+  // At least the length of a vector.
+  static constexpr double span_of(const std::array<double, 3>& v) {
+    return size_of(v[0]) + size_of(v[1]) + size_of(v[2]);
+  }
+  static constexpr Real size(const Real& x) { return larger(x, -x); }
+  static constexpr Real span(const triple<Real>& v) { return size(v[0]) + size(v[1]) + size(v[2]); }
+  static constexpr bool is_beyond(const Real& x, double bound) { return !everywhere(x <= Real(bound)); }
+  static constexpr bool is_finite(const Real& x) { return everywhere(x - x == Real(0.0)); }
+  static constexpr double number(const Real& x) {
+    if constexpr (requires { x.value; }) return static_cast<double>(x.value);
+    else if constexpr (requires { x[0]; }) return static_cast<double>(x[0]);
+    else return static_cast<double>(x);
+  }
+
+  // `turning` along the axes of the link.
+  static constexpr Real kinetic(const link_inertia& of, const Real& speed, const triple<Real>& turning) {
+    const auto& i = of.about_centre;
+    const Real &x = turning[0], &y = turning[1], &z = turning[2];
+    return Real(0.5 * of.mass) * speed * speed + Real(0.5 * i[0]) * x * x + Real(0.5 * i[1]) * y * y +
+           Real(0.5 * i[2]) * z * z + Real(i[3]) * x * y + Real(i[4]) * x * z + Real(i[5]) * y * z;
+  }
+
+  // A link as its bounds need it: how far its joint is from the one before, its centre from its joint; half
+  // its mass, and of its moments at least half the largest.
+  struct reach {
+    double arm = 0, centre = 0, mass = 0, inertia = 0;
+  };
+  static constexpr reach reach_of(const std::array<double, 3>& at, const link_inertia& of) {
+    const auto& i = of.about_centre;
+    return {span_of(at), span_of(of.centre), 0.5 * of.mass, 0.5 * (i[0] + i[1] + i[2])};
+  }
+  static constexpr auto reaches = [] {
+    std::array<reach, tree::links> all{};
+    for (std::size_t i = 0; i < tree::links; ++i) {
+      const auto& l = tree::described.links[i];
+      all[i] = reach_of(l.at, l.inertia);
+      if (l.kind != joint_kind::revolute) all[i].arm += size_of(l.rest);
+    }
+    return all;
+  }();
+
+  // What is not a number is not surely right.
+  static constexpr bool is_surely_right(const motion& m, const plausible_bounds& bounds, double step) {
+    Real fastest{}, quickest{}, energy{}, places = m.at[0] + m.at[1] + m.at[2];
+    const auto look = [&](const Real& speed, const Real& turning, const reach& of) {
+      const Real most = speed + Real(of.centre) * turning;
+      fastest = larger(fastest, most), quickest = larger(quickest, turning);
+      energy = energy + (Real(of.mass) * most * most + Real(of.inertia) * turning * turning);
+    };
+    std::array<Real, tree::links> speeds, turnings;
+    const Real speed = span(m.velocity), turning = span(m.angular_velocity);
+    if constexpr (tree::floats) look(speed, turning, reach_of({}, base_inertia));
+    for (std::size_t i = 0; i < tree::links; ++i) {
+      const auto& l = tree::described.links[i];
+      const auto c = static_cast<std::size_t>(l.coordinate);
+      const bool has_parent = l.parent >= 0;
+      const auto p = static_cast<std::size_t>(has_parent ? l.parent : 0);
+      const Real own = Real(size_of(l.ratio)) * size(m.dq[c]);
+      turnings[i] = has_parent ? turnings[p] : turning;
+      speeds[i] = (has_parent ? speeds[p] : speed) + Real(reaches[i].arm) * turnings[i];
+      if (l.kind == joint_kind::revolute) turnings[i] = turnings[i] + own;
+      else speeds[i] = speeds[i] + own + Real(size_of(l.ratio)) * size(m.q[c]) * turnings[i];
+      look(speeds[i], turnings[i], reaches[i]);
+      places = places + m.q[c];
+    }
+    return is_finite(places + energy) && !is_beyond(fastest, bounds.speed) &&
+           !is_beyond(Real(step) * quickest, bounds.turn) && !is_beyond(energy, bounds.energy);
+  }
+};
 
 template <class R, class Real>
 constexpr world_trouble trouble_of(
     const tree_motion<Real, compiled_tree<R>::coordinates, compiled_tree<R>::floats>& m,
     const plausible_bounds& bounds,
     double step) {
-  using tree = compiled_tree<R>;
-  const auto is_beyond = [](const Real& x, double bound) { return !everywhere(x <= Real(bound)); };
-  const auto number = [](const Real& x) {
-    if constexpr (requires { x.value; }) return static_cast<double>(x.value);
-    else if constexpr (requires { x[0]; }) return static_cast<double>(x[0]);
-    else return static_cast<double>(x);
-  };
-  const auto size = [](const Real& x) { return larger(x, -x); };
-  if constexpr (tree::floats) {
-    const Real speed = root(dot(m.velocity, m.velocity)),
-               turning = root(dot(m.angular_velocity, m.angular_velocity)), sum = m.at[0] + m.at[1] + m.at[2];
-    if (is_beyond(sum - sum + speed - speed + turning - turning, 0))
-      return {implausible::number, world_trouble::base};
-    if (is_beyond(speed, bounds.speed))
-      return {implausible::speed, world_trouble::base, number(speed), bounds.speed};
-    if (is_beyond(Real(step) * turning, bounds.turn))
-      return {implausible::turning, world_trouble::base, number(turning), bounds.turn / step};
-  }
-  for (std::size_t i = 0; i < tree::links; ++i) {
-    const auto& l = tree::reduced.links[i];
-    const auto c = static_cast<std::size_t>(l.coordinate);
-    const int body = static_cast<int>(i);
-    const double ratio = l.ratio < 0 ? -l.ratio : l.ratio;
-    const Real speed = Real(ratio) * size(m.dq[c]);
-    if (is_beyond(m.q[c] - m.q[c] + speed - speed, 0)) return {implausible::number, body};
-    if (!l.revolute && is_beyond(speed, bounds.speed))
-      return {implausible::speed, body, number(speed), bounds.speed};
-    if (l.revolute && is_beyond(Real(step) * speed, bounds.turn))
-      return {implausible::turning, body, number(speed), bounds.turn / step};
-    const joint_range& range = tree::ranges[c];
-    if (!range.exists()) continue;
-    const double bound = l.revolute ? bounds.stop : bounds.stop_way;
-    const Real beyond = Real(ratio) * larger(m.q[c] - Real(range.high), Real(range.low) - m.q[c]);
-    if (is_beyond(beyond, bound)) return {implausible::stop, body, number(beyond), bound};
-  }
-  return {};
+  using look = look_at_motion<R, Real>;
+  if (const auto found = look::at_bodies(m, bounds, step)) return found;
+  return look::at_joints(m, bounds);
 }
 
 }  // namespace cca::sim::detail

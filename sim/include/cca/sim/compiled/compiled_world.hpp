@@ -37,6 +37,8 @@
 #include <cca/sim/compiled/compiled_trouble.hpp>
 #include <cca/sim/compiled/contacts.hpp>
 #include <cca/sim/compiled/on_links.hpp>
+#include <cca/sim/compiled/readings/felt_contact.hpp>
+#include <cca/sim/compiled/readings/motor_work.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 #include <cca/sim/compiled/whole_robot.hpp>
 #include <cca/sim/robot/model/checked_settings.hpp>
@@ -192,9 +194,33 @@ public:
   Real energy() const { return whole::energy(state_.motion, settings_.engine.gravity); }
   // In springs and cables between points and in the springs of joints, J.
   Real spring_energy() const { return whole::spring_energy(state_.motion); }
+  // The force of a spring or cable (in order of declaration), N; negative: it pushes.
+  Real tension(std::size_t spring) const {
+    return whole::tension(state_.motion, numbered(spring, tree::lines.size(), "spring"));
+  }
+
+  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
+  // motors. Links that are held parallel stay so.
+  const contact_account& contact(std::size_t shape) const {
+    return state_.contacts[numbered(shape, state_.contacts.size(), "shape of the robot")];
+  }
+  contact_account contact_at_end(std::size_t part) const {
+    return contact_of(model(), state_.contacts,
+                      [&](const placed_shape& s) { return s.end == static_cast<int>(part); });
+  }
+  contact_account contact_at_end(std::string_view part) const {
+    return contact_at_end(index_of(model().names.ends, part, "part"));
+  }
+  contact_account contact_of_base() const {
+    return contact_of(model(), state_.contacts, [](const placed_shape& s) { return s.link < 0; });
+  }
+  static constexpr double parallel_error() { return 0; }
   Real positive_work() const { return state_.positive_work; }  // braking is none
   Real absolute_work() const { return state_.absolute_work; }  // braking is work
   double time() const { return static_cast<double>(state_.beats) * beat; }
+
+  // Of the floor or the terrain at x; m. Without both it is minus infinity.
+  double ground_height(double x) const { return detail::height_of(ground_, x); }
 
   const world_trouble& trouble() const { return state_.trouble; }
   std::string trouble_text() const { return text_of(state_.trouble, model()); }
@@ -220,7 +246,7 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
       is_finite = is_finite && finite(angular_velocity[k]) && finite(velocity[k]);
     if (!is_finite) throw std::invalid_argument("cca::sim::compiled_world: a place is not finite");
-    state_.impulses = {}, state_.trouble = {};
+    state_.impulses = {};
     auto& m = state_.motion;
     m = {}, m.q = q, m.dq = dq, m.angular_velocity = angular_velocity, m.velocity = velocity;
     double square = 0;
@@ -232,7 +258,9 @@ private:
       state_.drives.pulleys[c] = {q[c], {}, {}, {}};
     }
     read_units(false);
+    state_.trouble = detail::look_at_motion<R, Real>::at_bodies(m, settings_.plausible, step_seconds());
   }
+  double step_seconds() const { return beat / settings_.steps_per_beat; }
 
   // Of a scalar that is no double there are no readings.
   void read_units(bool after_beat) {
@@ -247,7 +275,7 @@ private:
   }
 
   void step() {
-    const double h = beat / settings_.steps_per_beat;
+    const double h = step_seconds();
     auto& m = state_.motion;
     step_type now(h);
     now.begin(m, settings_.engine.gravity);
@@ -259,7 +287,7 @@ private:
     } else {
       now.end(m, state_.drives, now.change);
     }
-    account(h);
+    detail::account_motors<R>(state_, h, Real(h / beat));
     state_.trouble = detail::trouble_of<R>(m, settings_.plausible, h);
   }
 
@@ -268,29 +296,12 @@ private:
     const auto without = now.change;
     contacts.solve(now, state_.motion, ground_, state_.impulses, h);
     now.end(state_.motion, state_.drives, detail::lasting(without, now.change));
-    contacts.each(h, [&](const auto& c) { feel(now, c, Real(h / beat)); });
+    for (contact_account& a : state_.contacts) a.begin_step();
+    contacts.each(h, [&](const auto& c) {
+      detail::feel<R>(now, c, Real(h / beat), state_);
+      detail::add_to(state_.contacts[detail::probes_of<R>::shape_of(c.probe)], c, h);
+    });
   }
-  // `share`: of the step in the beat.
-  void feel(const step_type& now, const detail::contact_force<Real>& c, const Real& share) {
-    const placed_shape& s =
-        detail::probes_of<R>::shapes[static_cast<std::size_t>(detail::probes_of<R>::all[c.probe].shape)];
-    if (s.end < 0) return;
-    auto& force = state_.end_forces[static_cast<std::size_t>(s.end)];
-    for (std::size_t k = 0; k < 3; ++k) force[k] = force[k] + share * c.force[k];
-    for (std::size_t i = 0; i < state_.loads.size(); ++i) {
-      if (detail::load_parts<R>[i] != s.end) continue;
-      const auto& e = tree::described.ends[static_cast<std::size_t>(s.end)];
-      const auto f = links::end_frame(now.now.places, {e.link, e.where});
-      const vector3 given = detail::along(now.base, c.force),
-                    arm = detail::along(now.base, c.at - now.base.at) - f.at;
-      const vector3 torque = detail::along(f, cross(arm, given)), own = detail::along(f, given);
-      for (std::size_t k = 0; k < 3; ++k) {
-        state_.loads[i][k] = state_.loads[i][k] + share * torque[k];
-        state_.loads[i][3 + k] = state_.loads[i][3 + k] + share * own[k];
-      }
-    }
-  }
-
   void pull_and_push(step_type& now) const {
     const auto given = [&](const std::array<Real, 3>& v) {
       return detail::along(now.base, vector3{v[0], v[1], v[2]});
@@ -305,18 +316,6 @@ private:
     if constexpr (tree::floats)
       links::add_wrench(now.now.places, -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state_.push), {},
                         now.now.forces);
-  }
-
-  // A motor that winds a cable works at the speed of its pulley.
-  void account(double h) {
-    for (std::size_t c = 0; c < n; ++c) {
-      const auto& d = state_.drives;
-      state_.joints[c].torque = state_.joints[c].torque + Real(h / beat) * d.torque[c];
-      const bool winds = R::drives[c].cable.stiffness > 0;
-      const Real work = Real(h) * d.torque[c] * (winds ? d.pulleys[c].speed : state_.motion.dq[c]);
-      state_.positive_work = state_.positive_work + detail::larger(work, Real(0.0));
-      state_.absolute_work = state_.absolute_work + detail::larger(work, -work);
-    }
   }
 
   static bool finite(const Real& x) { return detail::everywhere(x - x == Real(0.0)); }

@@ -22,6 +22,7 @@ template <class Real>
 struct contact_force {
   std::size_t probe = 0;
   triple<Real> at{}, normal{}, force{};  // in the world: m, N
+  Real speed{}, lost{};                  // along the ground: m/s after the step; J, to friction
 };
 
 // Of two changes of the velocities, without and with contacts: the smaller one, or none if they go two ways.
@@ -73,6 +74,9 @@ public:
       contact_force<Real> made;
       made.probe = c.probe, made.at = c.world, made.normal = c.touch.normal;
       made.force = Real(1 / h) * (p[0] * c.axes[0] + p[1] * c.axes[1] + p[2] * c.axes[2]);
+      const auto &from = c.slip_before, &to = c.slip;
+      made.speed = root(to[0] * to[0] + to[1] * to[1]);
+      made.lost = Real(-0.5) * (p[1] * (from[0] + to[0]) + p[2] * (from[1] + to[1]));
       f(made);
     }
   }
@@ -83,6 +87,7 @@ private:
     ground_touch<Real> touch{};
     triple<Real> world{}, axes[3]{};             // in the world
     std::array<std::array<Real, longest>, 3> w;  // D^-1/2 L^-T J^T, over the rows of its branch
+    std::array<Real, 2> slip_before{}, slip{};   // m/s along the tangents, before and after the step
   };
 
   constexpr void find(const tree_step<R, Real>& step, const ground& under) {
@@ -204,6 +209,12 @@ private:
         sum = sum + x.w[r][k] * speed[static_cast<std::size_t>(way[k])];
       l.speed[r] = sum;
     }
+    for (std::size_t r = 1; r < 3; ++r) {
+      Real sum = l.speed[r];
+      for (std::size_t k = 0; k < length; ++k)
+        sum = sum - x.w[r][k] * step.change[static_cast<std::size_t>(way[k])];
+      x.slip_before[r - 1] = sum;
+    }
     for (std::size_t k = length; k-- > 0;) {
       const auto row = static_cast<std::size_t>(way[k]);
       const Real* const factor = step.now.mass.row(row);
@@ -233,13 +244,14 @@ private:
     };
     turn(x.axes[1], x.axes[2]);
     turn(l.speed[1], l.speed[2]);
+    turn(x.slip_before[0], x.slip_before[1]);
     for (std::size_t i = 0; i < longest; ++i) turn(x.w[1][i], x.w[2][i]);
     l.own = {g[0], g[1] - t * g[5], g[2] + t * g[5]};
     turn(g[3], g[4]);
     l.coupling = {g[3], g[4]};
   }
 
-  constexpr void apply(tree_step<R, Real>& step, impulses& last) const {
+  constexpr void apply(tree_step<R, Real>& step, impulses& last) {
     typename on_links<R, Real>::vector z{};
     for (std::size_t k = 0; k < count; ++k) {
       const contact& x = found[k];
@@ -249,6 +261,16 @@ private:
       for (std::size_t i = 0; i <= static_cast<std::size_t>(tree::branches.depth[tip]); ++i) {
         Real& sum = z[static_cast<std::size_t>(tree::branches.way[tip][i])];
         sum = sum + (x.w[0][i] * p[0] + x.w[1][i] * p[1] + x.w[2][i] * p[2]);
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      contact& x = found[k];
+      const auto tip = static_cast<std::size_t>(probes::all[x.probe].tip);
+      for (std::size_t r = 1; r < 3; ++r) {
+        Real sum = laws[k].speed[r];
+        for (std::size_t i = 0; i <= static_cast<std::size_t>(tree::branches.depth[tip]); ++i)
+          sum = sum + x.w[r][i] * z[static_cast<std::size_t>(tree::branches.way[tip][i])];
+        x.slip[r - 1] = sum;
       }
     }
     for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * root(step.now.mass.inverse[k]);

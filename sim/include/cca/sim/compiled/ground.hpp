@@ -5,6 +5,7 @@
 // surface of a strip is pushed up through it. The strip in which it is deepest counts.
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 
 #include <cca/base/math.hpp>
@@ -42,6 +43,10 @@ inline ground ground_of(const scene& around, const engine_settings& settings) {
   if (s.ground) g.profile = s.ground->profile(), g.contact.friction = s.ground->friction();
   g.surface_layer = settings.surface_layer, g.correcting_speed = settings.correcting_speed;
   return g;
+}
+
+inline double height_of(const ground& g, double x) {
+  return g.exists ? g.floor + g.profile.height(x) : -std::numeric_limits<double>::infinity();
 }
 
 template <class Real>

@@ -89,6 +89,9 @@ struct probes_of {
     }
     return found;
   }();
+  static constexpr std::size_t shape_of(std::size_t probe) {
+    return static_cast<std::size_t>(all[probe].shape);
+  }
   // The longest branch that moves a probe, in rows.
   static constexpr std::size_t longest = [] {
     int most = 0;

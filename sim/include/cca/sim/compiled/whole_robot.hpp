@@ -70,7 +70,7 @@ struct whole_robot {
     const auto places = at(m).only_places();
     Real sum{};
     for (const auto& l : tree::lines) {
-      const triple<Real> line = links::point(places, l.to, l.to_at) - links::point(places, l.from, l.from_at);
+      const triple<Real> line = line_of(places, l);
       const Real stretch = root(dot(line, line)) - Real(l.rest);
       const Real felt = l.only_pulls ? larger(stretch, Real(0.0)) : stretch;
       sum = sum + Real(0.5 * l.stiffness) * felt * felt;
@@ -80,6 +80,27 @@ struct whole_robot {
       sum = sum + Real(0.5 * R::drives[c].spring) * stretch * stretch;
     }
     return sum;
+  }
+
+  static constexpr Real tension(const motion& m, std::size_t i) {
+    const auto& l = tree::lines[i];
+    const auto places = at(m).only_places();
+    const triple<Real> line = line_of(places, l);
+    const Real length = root(dot(line, line));
+    const auto velocity = [&](int link, const std::array<double, 3>& p) {
+      return links::motion(places, link, links::point(places, link, p), {}, m.dq).velocity;
+    };
+    const Real speed = dot(line, velocity(l.to, l.to_at) - velocity(l.from, l.from_at)) /
+                       select(length > Real(0.0), length, Real(1.0));
+    const Real pull = Real(l.stiffness) * (length - Real(l.rest)) + Real(l.damping) * speed;
+    if (!l.only_pulls) return pull;
+    return select(length > Real(l.rest), larger(pull, Real(0.0)), Real(0.0));
+  }
+
+private:
+  template <class Line>
+  static constexpr triple<Real> line_of(const typename links::frames& places, const Line& l) {
+    return links::point(places, l.to, l.to_at) - links::point(places, l.from, l.from_at);
   }
 };
 

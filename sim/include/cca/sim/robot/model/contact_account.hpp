@@ -4,14 +4,15 @@
 //   const cca::sim::contact_account foot = world.contact_at_end("left_front_leg") - before;
 //   foot.slip / foot.load     the mean speed of the slip, each moment weighted by its load, m/s
 //
-// The engine computes a step's forces for the speeds at its end, so the work of friction is force times that
-// speed. A contact's speed is that of the shape at the point of contact, along the surface, relative to what
-// it touches. Plain numbers, part of a world's state; they cost some operations for each contact.
+// A contact's speed is that of the shape at the point of contact at the end of a step, along the surface,
+// relative to what it touches. The work of friction is force times speed: in the engine, which moves bodies
+// at the speeds of the step's end, that speed; in compiled physics, which moves them at the mean of the
+// speeds before and after, that mean. Plain numbers, part of a world's state; they cost some operations for
+// each contact.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 #include <cca/sim/robot/model/robot_model.hpp>
 
@@ -26,14 +27,17 @@ struct contact_account {
   double contacts = 0;       // in the last physics step
 
   void begin_step() { pressing = contacts = 0; }
-  template <class Touch>  // touching.hpp
-  void add(const Touch& t, double step) {
+  // `into`: N, into the surface; `speed`: m/s, along it; `lost`: J, to friction, in this step.
+  void add(double into, double speed, double lost, double step) {
     if (contacts++ == 0) touching += step;
-    const double into = std::max(0.0, t.force.dot(t.normal));
     pressing += into;
     load += into * step;
-    slip += into * t.slip.norm() * step;
-    friction_work -= t.force.dot(t.slip) * step;
+    slip += into * speed * step;
+    friction_work += lost;
+  }
+  template <class Touch>  // touching.hpp
+  void add(const Touch& t, double step) {
+    add(std::max(0.0, t.force.dot(t.normal)), t.slip.norm(), -t.force.dot(t.slip) * step, step);
   }
 
   // Of several shapes; `touching` is that of the one that touched longest.
@@ -57,10 +61,8 @@ struct contact_account {
 };
 
 // The sum over the shapes for which `which` says so.
-template <class Which>
-contact_account contact_of(const robot_model& model,
-                           const std::vector<contact_account>& contacts,
-                           Which which) {
+template <class Contacts, class Which>
+contact_account contact_of(const robot_model& model, const Contacts& contacts, Which which) {
   contact_account sum;
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (which(model.shapes[i])) sum = sum + contacts[i];

@@ -150,6 +150,8 @@ public:
 
   const robot_model& model() const;
   const scene& around() const;
+  // Of the floor or the terrain at x, whichever is higher; m. Without both it is minus infinity.
+  double ground_height(double x) const;
   const robot_world_settings& settings() const;
 
   robot_state save() const;

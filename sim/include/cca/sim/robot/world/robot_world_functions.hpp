@@ -2,6 +2,8 @@
 // compiled once for the program (cca/base/separate/compiled.hpp).
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -40,6 +42,12 @@ CCA_SIM_INLINE void robot_world::pull(std::size_t part,
 CCA_SIM_INLINE void robot_world::push(const Eigen::Vector3d& force) { in_->push(force); }
 CCA_SIM_INLINE void robot_world::follow(const push_plan& plan) { in_->follow(plan); }
 CCA_SIM_INLINE void robot_world::move(std::size_t box, const placement& where) { in_->move(box, where); }
+
+CCA_SIM_INLINE double robot_world::ground_height(double x) const {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  const scene& s = around();
+  return std::max(s.floor.value_or(none), s.ground ? s.ground->height(x) : none);
+}
 
 CCA_SIM_INLINE std::string robot_world::trouble_text() const { return text_of(state().trouble, model()); }
 
