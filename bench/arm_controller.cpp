@@ -210,7 +210,7 @@ template <bool Once>
 struct loop {
   static constexpr const char* name = Once ? "shared" : "by_hand";
   static constexpr double dt = 1'000'000 / 1e9, pi = std::numbers::pi;
-  using end_of_arm = cca::detail::tip_dynamics<arm::body, "arm">;
+  using end_of_arm = cca::detail::tip_dynamics_at<arm::body, "arm">;
   using matrix7 = end_of_arm::matrix;
   using solver7 = cca::detail::positive_matrix<7>;
   using limits = cca::detail::limits_of<arm::torques>;
@@ -251,6 +251,10 @@ struct loop {
   static decltype(auto) pose(const known& all, const vector7& q) {
     if constexpr (Once) return (all.now);
     else return pose_of_arm(q);
+  }
+  static decltype(auto) end(const known& all, const vector7& q) {
+    if constexpr (Once) return (all.end);
+    else return pose_of_arm(q).tip<"arm">();
   }
   static decltype(auto) dynamics(const known& all, const vector7& q) {
     if constexpr (Once) return (all);
@@ -515,17 +519,10 @@ struct loop {
     const known all(q);
 
     // The flange.
-    Vector4d turned;
+    const Vector4d turned = cca::detail::tip_in<touch::hand>(end(all, q)).template tail<4>();
     vector6 load;
-    {
-      const auto& at = pose(all, q);
-      turned = cca::detail::tip_in<touch::hand>(at.template tip<"arm">()).template tail<4>();
-    }
-    {
-      const auto& at = pose(all, q);
-      const Eigen::Matrix3d turn = at.template tip<"arm">().turn;
-      load << turn * m.load.head<3>(), turn * m.load.tail<3>();
-    }
+    const Eigen::Matrix3d turn = end(all, q).turn;
+    load << turn * m.load.head<3>(), turn * m.load.tail<3>();
     touch_table(load, turned);
     const vector7 weight = cca::gravity_torques(pose(all, q), Vector3d(0, 0, -gravity));
     observe(all, m, Once ? &weight : nullptr);

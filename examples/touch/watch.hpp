@@ -11,8 +11,8 @@
 #include <numbers>
 
 #include <cca/component/parameters.hpp>
-#include <cca/robot/body_pose.hpp>
 #include <cca/robot/compliance/contact_reaction.hpp>
+#include <cca/robot/derived_of_body.hpp>
 
 #include "spaces.hpp"
 
@@ -32,10 +32,11 @@ struct watch {
   auto process(cca::in<"external", arm::torques> external,
                cca::in<"angles", arm::angles> angles,
                cca::in<"load", load> sensed,
-               cca::beat now) -> cca::out<"status", cca::contact_port> {
-    const cca::body_pose<arm::body> at(angles.vector());
+               cca::beat now,
+               cca::derived<cca::jacobian_of<arm::body, "arm">, "angles"> jacobian)
+      -> cca::out<"status", cca::contact_port> {
     const double w = 2 * std::numbers::pi * p.bandwidth * now.dt();
-    const vector due = at.jacobian<"arm">().transpose() * sensed.vector();
+    const vector due = jacobian.of(angles).transpose() * sensed.vector();
     if (due.allFinite()) felt += w / (1 + w) * (due - felt);
     const vector left = (external.vector() - felt).cwiseAbs();
     const bool pushes = left.maxCoeff() > p.threshold, rests = left.maxCoeff() < 0.5 * p.threshold;

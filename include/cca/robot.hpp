@@ -16,6 +16,7 @@
 #include <cca/robot/compliance/passivity_guard.hpp>
 #include <cca/robot/dynamics/coriolis_matrix.hpp>
 #include <cca/robot/dynamics/forward_dynamics.hpp>
+#include <cca/robot/dynamics/derived_mass.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
 #include <cca/robot/dynamics/momentum.hpp>
 #include <cca/robot/dynamics/momentum_observer.hpp>

@@ -94,6 +94,11 @@ namespace detail {
 
 template <class Port> concept Optional = requires(Port port) { port.set_wired(); };
 
+template <class Parameter>
+constexpr bool is_derived = false;
+template <class Function, cca::fixed_string Port>
+constexpr bool is_derived<cca::derived<Function, Port>> = true;
+
 // One argument of a call; `broken`: with a number that is none.
 template <class Port>
 Port argument(numbers& n, feed what, bool wired, bool broken, std::int64_t time) {
@@ -125,6 +130,8 @@ struct call_of<Result (Component::*)(Arguments...)> {
       using type = std::remove_cvref_t<Arguments>;
       if constexpr (std::is_same_v<type, cca::beat>) {
         return now;
+      } else if constexpr (is_derived<type>) {
+        return {};  // it is computed where it is asked for
       } else {
         const bool chosen = could_break<type>(wired) > 0 && left-- == 0;
         const bool broken = what == feed::all_broken || (what == feed::one_broken && chosen);
@@ -135,7 +142,7 @@ struct call_of<Result (Component::*)(Arguments...)> {
   }
   template <class Type>
   static constexpr int could_break(bool wired) {
-    if constexpr (std::is_same_v<Type, cca::beat>) return 0;
+    if constexpr (std::is_same_v<Type, cca::beat> || is_derived<Type>) return 0;
     else return is_read_always(Type::name) && (wired || !Optional<Type>);
   }
 };

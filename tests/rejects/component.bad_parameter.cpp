@@ -1,6 +1,7 @@
-// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and the
-// `process` takes what the loop can provide: ports and the beat. It cannot change what it sees, because
-// others read it too. Outputs are returned, not filled in. The inputs of a component have different names.
+// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\), a cca::derived of one of them and the
+// `process` takes what the loop can provide: ports, what is derived from them, and the beat. It cannot change
+// what it sees, because others read it too. Outputs are returned, not filled in. The inputs of a component
+// have different names.
 #include "parts.hpp"
 
 struct balance {

@@ -60,6 +60,8 @@ WITHOUT = {
     "robot/body_tree.hpp": FUNCTION,
     "robot/dynamics/derivatives.hpp": FUNCTION,
     "robot/dynamics/floating_derivatives.hpp": FUNCTION,
+    "robot/dynamics/derived_mass.hpp": FUNCTION,
+    "robot/derived_of_body.hpp": FUNCTION,
     "robot/bounded_motion.hpp": "tested within limiter",
     "robot/command_limits.hpp": FUNCTION,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,

@@ -128,8 +128,8 @@ struct takes_number_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<takes_number, takes_number_mended>(
     {"component.bad_parameter", "a",
      "`a` (with_number): `process` takes `int`, but it may take only ports (cca::in, cca::optional_in, "
-     "cca::observe) and the cca::beat, each by value or by reference to const; give constants as "
-     "`parameters`, and data of other components by a wire"}));
+     "cca::observe), a cca::derived of one of them and the cca::beat, each by value or by reference to "
+     "const; give constants as `parameters`, and data of other components by a wire"}));
 
 struct with_reference {
   void process(cca::in<"x", signal>&) {}
@@ -141,8 +141,8 @@ struct takes_reference_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<takes_reference, takes_reference_mended>(
     {"component.bad_parameter", "a",
      "`a` (with_reference): `process` takes `in<x, signal>&`, but it may take only ports (cca::in, "
-     "cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to const; give "
-     "constants as `parameters`, and data of other components by a wire"}));
+     "cca::optional_in, cca::observe), a cca::derived of one of them and the cca::beat, each by value or by "
+     "reference to const; give constants as `parameters`, and data of other components by a wire"}));
 
 struct with_output {
   void act(cca::out<"x", signal>) {}
@@ -153,8 +153,38 @@ struct takes_output_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<takes_output, takes_output_mended>(
     {"component.bad_parameter", "a",
      "`a` (with_output): `act` takes `out<x, signal>`, but it may take only ports (cca::in, "
-     "cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to const; give "
-     "constants as `parameters`, and data of other components by a wire"}));
+     "cca::optional_in, cca::observe), a cca::derived of one of them and the cca::beat, each by value or by "
+     "reference to const; give constants as `parameters`, and data of other components by a wire"}));
+
+struct length_of {
+  using value = double;
+  static value of(const auto& sample) { return sample.vector().norm(); }
+};
+struct with_derived {
+  void process(cca::in<"x", signal>, cca::derived<length_of, "y">) {}
+};
+struct with_derived_mended {
+  void process(cca::in<"x", signal>, cca::derived<length_of, "x">) {}
+};
+
+struct derives_from_nothing
+    : khz<cca::node<"a", with_derived>, cca::node<"s", source<>>, cca::wire<"s.y", "a.x">> {};
+struct derives_from_nothing_mended
+    : khz<cca::node<"a", with_derived_mended>, cca::node<"s", source<>>, cca::wire<"s.y", "a.x">> {};
+static_assert(tells<derives_from_nothing, derives_from_nothing_mended>(
+    {"component.bad_parameter", "a",
+     "`a` (with_derived): `process` takes a cca::derived of `y`, but has no input of that name: name the "
+     "cca::in from whose sample the value follows"}));
+
+// Of an observer, which shows more than one sample, nothing can be derived.
+struct with_observer {
+  void process(cca::observe<"s.*">, cca::derived<length_of, "s.*">) {}
+};
+struct derives_from_observer : khz<cca::node<"a", with_observer>, cca::node<"s", source<>>> {};
+static_assert(tells<derives_from_observer, derives_from_nothing_mended>(
+    {"component.bad_parameter", "a",
+     "`a` (with_observer): `process` takes a cca::derived of `s.*`, but has no input of that name: name the "
+     "cca::in from whose sample the value follows"}));
 
 struct same_inputs {
   void process(cca::in<"x", signal>, cca::in<"x", signal>) {}

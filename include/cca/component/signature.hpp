@@ -13,6 +13,7 @@
 #include <cca/component/done.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
+#include <cca/component/ports/derived.hpp>
 #include <cca/component/switch_to.hpp>
 #include <cca/base/ref.hpp>
 #include <cca/space/info.hpp>
@@ -21,6 +22,14 @@ namespace cca::detail {
 
 template <class...>
 struct list {};
+template <class... Lists>
+struct joined;
+template <class... A>
+struct joined<list<A...>> {
+  using type = list<A...>;
+};
+template <class... A, class... B, class... Rest>
+struct joined<list<A...>, list<B...>, Rest...> : joined<list<A..., B...>, Rest...> {};
 
 struct item_info;
 
@@ -33,7 +42,7 @@ struct port_info {
 };
 
 // What a parameter of the function is.
-enum class parameter_kind : std::uint8_t { input, beat, bad };
+enum class parameter_kind : std::uint8_t { input, derived, beat, bad };
 
 template <class Type>
 struct parameter_facts {
@@ -64,6 +73,12 @@ template <fixed_string Scope, class... Policies>
 struct parameter_facts<observe<Scope, Policies...>> {
   static constexpr auto kind = parameter_kind::input;
   static constexpr port_info port{Scope.view(), nullptr, true, false, &observer_policy<Policies...>};
+};
+
+template <class Function, fixed_string Port>
+struct parameter_facts<derived<Function, Port>> {
+  static constexpr auto kind = parameter_kind::derived;
+  static constexpr port_info port{Port.view()};  // whose sample it is derived from
 };
 
 // A parameter may be taken by value or by reference to const.
@@ -174,6 +189,8 @@ struct function_info {
   const asked_part* asked_parts = nullptr;  // by cca::stops and cca::starts
   int asked_count = 0;
   std::string_view bad_parameter{}, bad_result{};  // names of types; empty if there is none
+  bool derives = false;                            // has a cca::derived
+  std::string_view bad_derived{};                  // the name in one that is no input's
 };
 
 template <class Parameters, class Results>
@@ -209,6 +226,21 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     int n = 0;
     std::size_t i = 0;
     ((position[i++] = parameter_facts<Parameters>::kind == parameter_kind::input ? n++ : -1), ...);
+    return position;
+  }();
+  // Also of a cca::derived: the position of the input whose sample it is derived from.
+  static constexpr auto source_of_parameter = [] {
+    std::array<int, sizeof...(Parameters) + 1> position = input_of_parameter;
+    [[maybe_unused]] const auto look_up = [](const port_info& named) {
+      for (int i = 0; i < input_count; ++i)
+        if (inputs[array_size(i)].space && inputs[array_size(i)].name == named.name) return i;
+      return -1;
+    };
+    std::size_t i = 0;
+    ((parameter_facts<Parameters>::kind == parameter_kind::derived
+          ? void(position[i++] = look_up(parameter_facts<Parameters>::port))
+          : void(i++)),
+     ...);
     return position;
   }();
   static constexpr auto output_of_result = [] {
@@ -255,6 +287,14 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     ((parameter_facts<Parameters>::kind == parameter_kind::bad && function.bad_parameter.empty()
           ? void(function.bad_parameter = type_name<Parameters>())
           : void()),
+     ...);
+    function.derives = ((parameter_facts<Parameters>::kind == parameter_kind::derived) || ...);
+    [[maybe_unused]] std::size_t i = 0;
+    ((parameter_facts<Parameters>::kind == parameter_kind::derived && source_of_parameter[i] < 0 &&
+              function.bad_derived.empty()
+          ? void(function.bad_derived = parameter_facts<Parameters>::port.name)
+          : void(),
+      ++i),
      ...);
     ((result_facts<Results>::kind == result_kind::bad && function.bad_result.empty()
           ? void(function.bad_result = type_name<Results>())

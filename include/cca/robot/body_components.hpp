@@ -17,6 +17,7 @@
 //     out "position"        Tip            end of the part, in the frame of the base, m; its name is
 //                                          "orientation" or "pose" if Tip is such a space
 //
+// They share the pose of the body with all that derive it from the same angles (derived_of_body.hpp).
 // The spaces have the axes of the body in any order; all but Torques may have others too. Without "attitude"
 // the base is upright. Parameter: `gravity`, m/s^2.
 // They have no state: NaN or infinity in an input makes the outputs of that firing NaN. A limiter of torques
@@ -29,6 +30,7 @@
 #include <cca/mapping/forward_kinematics.hpp>
 #include <cca/robot/body.hpp>
 #include <cca/robot/body_dynamics.hpp>
+#include <cca/robot/derived_of_body.hpp>
 
 namespace cca {
 
@@ -102,11 +104,11 @@ struct gravity_compensation {
   using parameters = gravity_parameters;
   parameters p{};
 
-  auto process(in<"angles", Angles> angles, optional_in<"attitude", Attitude> attitude)
-      -> out<"torques", Torques> {
-    const body_pose<Type> now(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()));
+  auto process(in<"angles", Angles> angles,
+               optional_in<"attitude", Attitude> attitude,
+               derived<pose_of<Type>, "angles"> pose = {}) -> out<"torques", Torques> {
     return detail::reordered<axes_of<Type>, Torques>::to(
-        gravity_torques(now, detail::gravity_in_base(attitude, p.gravity)));
+        gravity_torques(pose.of(angles), detail::gravity_in_base(attitude, p.gravity)));
   }
 };
 template <class Type, class Angles, class Torques, class Attitude>
@@ -132,12 +134,13 @@ struct inverse_dynamics_of {
   auto process(in<"angles", Angles> angles,
                in<"velocities", Velocities> velocities,
                in<"accelerations", Accelerations> accelerations,
-               optional_in<"attitude", Attitude> attitude) -> out<"torques", Torques> {
-    const body_pose<Type> now(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()));
+               optional_in<"attitude", Attitude> attitude,
+               derived<pose_of<Type>, "angles"> pose = {}) -> out<"torques", Torques> {
     base_motion base;
     base.gravity = detail::gravity_in_base(attitude, p.gravity);
     return detail::reordered<axes_of<Type>, Torques>::to(
-        inverse_dynamics(now, detail::reordered<axes_of<Type>, Velocities>::from(velocities.vector()),
+        inverse_dynamics(pose.of(angles),
+                         detail::reordered<axes_of<Type>, Velocities>::from(velocities.vector()),
                          detail::reordered<axes_of<Type>, Accelerations>::from(accelerations.vector()), base)
             .torques);
   }
@@ -157,10 +160,9 @@ struct part_kinematics {
   using checked = std::void_t<decltype(detail::check_tip<detail::body_as_chain<Type>, Tip>()),
                               decltype(detail::check_axes<Type, joint_angles, Angles>())>;
 
-  auto process(in<"angles", Angles> angles) -> out<detail::tip_port<Tip>(), Tip> {
-    return detail::tip_in<Tip>(
-        body_pose<Type>(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()))
-            .template tip<Part>());
+  auto process(in<"angles", Angles> angles, derived<end_of<Type, Part>, "angles"> end = {})
+      -> out<detail::tip_port<Tip>(), Tip> {
+    return detail::tip_in<Tip>(end.of(angles));
   }
 };
 template <class Type, fixed_string Part, class Angles, class Tip>

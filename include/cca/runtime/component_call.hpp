@@ -220,18 +220,19 @@ private:
   template <std::size_t... I>
   CCA_INLINE result call(const firing& now, std::index_sequence<I...>) const {
     using ports = function_ports<list<Parameters...>, list<>>;
+    using all_if_derived = std::conditional_t<c.function->derives, list<Parameters...>, void>;
     [[maybe_unused]] const beat time = beat_of_seconds::make(this_beat(), period, now.dt);
     [[maybe_unused]] auto& self =
         component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
     constexpr auto function = function_of<component, c.phase>::value;
     if constexpr (std::is_member_function_pointer_v<decltype(function)>)
       CCA_INLINE_CALL return (self.*simplified_first<function>())(
-          argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
-              b, source(ports::input_of_parameter[I]), time, now.last)...);
+          argument<Graph, Parameters, input_shown(ports::source_of_parameter[I])>::template get<
+              Parameters, all_if_derived>(b, source(ports::source_of_parameter[I]), time, now.last)...);
     else
       CCA_INLINE_CALL return simplified_first<function>()(
-          argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
-              b, source(ports::input_of_parameter[I]), time, now.last)...);
+          argument<Graph, Parameters, input_shown(ports::source_of_parameter[I])>::template get<
+              Parameters, all_if_derived>(b, source(ports::source_of_parameter[I]), time, now.last)...);
   }
   // The number of the input at a position: the first that reads in the same way; -1 for a beat.
   static constexpr int input_shown(int position) {

@@ -116,7 +116,7 @@ struct input_reader {
   }
 
   // The port that the component gets; `last` is the beat in which it fired before.
-  template <class Port>
+  template <class Port, class = void>
   CCA_INLINE static Port get(const beat_context<Graph>& b, int index, beat, std::int64_t last) {
     Port port{to_be_filled{}};
     if constexpr (kind == storage_kind::none) {
@@ -146,9 +146,37 @@ template <class Graph, class Parameter, int Input>
 struct argument : input_reader<Graph, Input> {};
 template <class Graph, int Input>
 struct argument<Graph, beat, Input> {
-  template <class>
+  template <class, class = void>
   CCA_INLINE static beat get(const beat_context<Graph>&, int, beat now, std::int64_t) {
     return now;
+  }
+};
+
+// What follows from the sample of a port. `All`: the parameters of the function, with that port.
+template <fixed_string Name, class Parameters>
+struct port_named;
+template <fixed_string Name, class First, class... Rest>
+struct port_named<Name, list<First, Rest...>> : port_named<Name, list<Rest...>> {};
+template <fixed_string Name, class Space, class... Rest>
+struct port_named<Name, list<in<Name, Space>, Rest...>> {
+  using type = in<Name, Space>;
+};
+template <fixed_string Name, class Space, class... Rest>
+struct port_named<Name, list<optional_in<Name, Space>, Rest...>> {
+  using type = optional_in<Name, Space>;
+};
+template <class Graph, class Function, fixed_string Name, int Input>
+struct argument<Graph, derived<Function, Name>, Input> {
+  using reader = input_reader<Graph, Input>;
+  using type = derived<Function, Name>;
+
+  template <class, class All>
+  CCA_INLINE static type get(const beat_context<Graph>& b, int index, beat now, std::int64_t last) {
+    using port = typename port_named<Name, All>::type;
+    const auto shown = [&] { return reader::template get<port>(b, index, now, last); };
+    if constexpr (shows_the_same<Graph, Input>)
+      return type(&shared_value<Graph, Input, typename type::function>(b, index, shown));
+    else return type(shown());
   }
 };
 

@@ -192,7 +192,7 @@ private:
 
 template <class Graph, fixed_string Pattern, class... Policies, int Input>
 struct argument<Graph, observe<Pattern, Policies...>, Input> {
-  template <class>
+  template <class, class = void>
   CCA_INLINE static observations<Graph, Input> get(const beat_context<Graph>& b,
                                                    int,
                                                    beat,

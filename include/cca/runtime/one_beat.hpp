@@ -52,7 +52,8 @@ struct calls_of_beat<Graph,
   // Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of
   // them in memory (docs/compilers.md).
   CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
-    run_calls({state, outcome, k, stored_array<Graph, BeatArray>()...});
+    run_calls({state, outcome, k, derived_rooms<Graph>(), derived_marks<Graph>(),
+               stored_array<Graph, BeatArray>()...});
   }
 
 private:

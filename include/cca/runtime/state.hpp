@@ -13,6 +13,7 @@
 #include <cca/graph/marks/recordable.hpp>
 #include <cca/runtime/samples/missed_firings.hpp>
 #include <cca/runtime/samples/arriving_samples.hpp>
+#include <cca/runtime/samples/derived_values.hpp>
 #include <cca/runtime/samples/kept_component.hpp>
 #include <cca/runtime/samples/queued_samples.hpp>
 #include <cca/runtime/samples/stored_samples.hpp>
@@ -48,11 +49,6 @@ struct component_array : components_of_type<typename node_types<Graph, First>::c
                                             layout_of<Graph>.component_counts[First]> {};
 
 // ---- samples ----
-
-template <class Graph, int Call>
-using function_called =
-    function_facts<typename function_of<typename node_types<Graph, call_of<Graph, Call>.node>::component,
-                                        call_of<Graph, Call>.phase>::type>;
 
 template <class Graph, int Array, storage_kind Kind = array_of<Graph, Array>.kind>
 struct stored_in;
@@ -309,6 +305,7 @@ struct beat_context;
 template <class Graph, int... BeatArray>
 struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
     : reference_to_array<Graph, BeatArray>...,
+      derived_in_beat<Graph>,
       resting_parts<parts_kept<Graph>>,
       after_missed<layout_of<Graph>.missed_count> {
   controller_state<Graph>& state;
@@ -318,8 +315,11 @@ struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
   CCA_INLINE beat_context(controller_state<Graph>& s,
                           beat_outcome& o,
                           std::int64_t beat,
+                          derived_rooms<Graph>&& rooms,
+                          derived_marks<Graph>&& marks,
                           stored_array<Graph, BeatArray>&&... samples)
       : reference_to_array<Graph, BeatArray>{samples}...,
+        derived_in_beat<Graph>(rooms, marks),
         resting_parts<parts_kept<Graph>>(static_cast<const part_states<parts_kept<Graph>>&>(s)),
         after_missed<layout_of<Graph>.missed_count>(
             static_cast<const missed_firings<layout_of<Graph>.missed_count>&>(s), beat),

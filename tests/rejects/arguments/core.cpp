@@ -4,6 +4,8 @@
 // EXPECT no_state: cca::status: `as<int>\(\)` reads a sample of state \(status over x\), whose numbers are states
 // EXPECT empty_array: space\.bad_axes: `cca::array_of<leg_angles, 0>` is to have as many elements, and an array has at least one
 // EXPECT bounds_swapped: component\.bad_parameter: the lower bound of a parameter, 5, is above its upper bound, 2\.5, so no value fits
+// EXPECT derived_without_value: component\.bad_parameter: `step` stands in a cca::derived, but states no `value`: write `using value = \.\.\.;` and a static function `of`
+// EXPECT derived_text: component\.bad_parameter: the value of `text_of` has a destructor that does something
 // EXPECT twice_limited: space\.bad_limits: a `cca::limits` lists `angle` twice: state one range for each quantity
 // EXPECT never_stopped: strategy\.not_stoppable: the component `walk\.step` \(step\) of walking can not be stopped on its own: write `cca::stoppable<\.\.\.>` around its strategy
 // EXPECT never_stopped_graph: strategy\.not_stoppable: the inner graph `walk` of walking can not be stopped on its own: write `cca::stoppable<>` behind the graph
@@ -40,6 +42,10 @@ struct source {
 };
 struct step {
   auto process(cca::in<"x", signal> x) -> cca::out<"y", signal> { return x.vector(); }
+};
+struct text_of {
+  using value = std::string;
+  static value of(const auto&) { return "text"; }
 };
 struct sink {
   void process(cca::in<"x", signal>) {}
@@ -96,6 +102,10 @@ template <class T>
 using empty_array = cca::array_of<late<leg_angles, T>, 0>;
 template <class T>
 using bounds_swapped = cca::bounded<late<double, T>, 5.0, 2.5>;
+template <class T>
+using derived_without_value = cca::derived<late<step, T>, "x">;
+template <class T>
+using derived_text = cca::derived<late<text_of, T>, "x">;
 template <class T>
 using twice_limited = cca::limits<late<cca::angle, T>, cca::angle>;
 template <class T>

@@ -5,7 +5,7 @@
 // EXPECT node_duplicate_name: node\.duplicate_name: two nodes of node_duplicate_name are named `n7` \(step, sink\), so a path to them has two meanings: give one of them another name
 // EXPECT skeleton_arity: skeleton\.arity: `extra` \(switch_between<.*>\) has 1 source, but between fewer than two there is nothing to choose or to mix: name two or more, or
 // EXPECT component_no_process: component\.no_process: `extra` \(without_function\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
-// EXPECT component_bad_parameter: component\.bad_parameter: `extra` \(takes_number\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and
+// EXPECT component_bad_parameter: component\.bad_parameter: `extra` \(takes_number\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\), a cca::derived of one of them and
 // EXPECT component_bad_result: component\.bad_result: `extra` \(returns_number\): `process` returns `double`, but it may return only ports \(cca::out, cca::maybe\), a cca::fault, a cca::done
 // EXPECT component_hook_signature: component\.hook_signature: `extra` \(starts_with_number\) has a hook `on_start` that would never be called, because it is not `void on_start\(\)`: make it a
 // EXPECT parameters_unsupported_type: parameters\.unsupported_type: `extra` \(has_pointer\): its parameter `table` is a `const double ?\*`, which no file can hold: use a number, bool, enum

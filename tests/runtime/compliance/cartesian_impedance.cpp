@@ -132,7 +132,7 @@ TEST_SUITE("Cartesian impedance") {
     for (int i = 0; i < 3; ++i)
       CHECK(moved[i] == doctest::Approx(body.world.wrench[3 + i] / 500).epsilon(1e-6));
     // Nothing is left for the free joints to do.
-    const cca::detail::tip_dynamics<arm, "arm"> at(body.q);
+    const cca::detail::tip_dynamics_at<arm, "arm"> at(body.q);
     CHECK(at.free_torques(vector(40 * (servo.posture - body.q))).norm() < 1e-5);
     CHECK((servo.posture - body.q).norm() < before);
     CHECK(servo.servo.posture_energy() > 0);

@@ -1,5 +1,5 @@
-// Tools for lists of graph items (nodes, wires, exposed ports): join lists, make a graph from a list, make a
-// path from two names.
+// Tools for lists of graph items (nodes, wires, exposed ports): make a graph from a list, make a path from
+// two names.
 #pragma once
 
 #include <cca/graph/items/graph.hpp>
@@ -10,15 +10,6 @@ template <class List>
 struct graph_from;
 template <class... Items>
 struct graph_from<list<Items...>> : graph<Items...> {};
-
-template <class... Lists>
-struct joined;
-template <class... A>
-struct joined<list<A...>> {
-  using type = list<A...>;
-};
-template <class... A, class... B, class... Rest>
-struct joined<list<A...>, list<B...>, Rest...> : joined<list<A..., B...>, Rest...> {};
 
 // path_to<"module", "goal"> is "module.goal".
 template <std::size_t A, std::size_t B>

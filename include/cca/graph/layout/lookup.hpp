@@ -40,6 +40,11 @@ template <class Graph, int Output>
 inline constexpr clock published_of =
     published(call_of<Graph, output_of<Graph, Output>.call>, output_of<Graph, Output>);
 
+template <class Graph, int Call>
+using function_called =
+    function_facts<typename function_of<typename node_types<Graph, call_of<Graph, Call>.node>::component,
+                                        call_of<Graph, Call>.phase>::type>;
+
 // The inputs and outputs of a function by their position in it.
 template <class Graph, int Call>
 using input_positions = std::make_integer_sequence<int, call_of<Graph, Call>.function->input_count>;

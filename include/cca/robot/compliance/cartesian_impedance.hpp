@@ -141,7 +141,7 @@ struct cartesian_impedance {
       if (auto what = detail::above_rate_bound("posture_damping", posture_damping, 1 / step, step);
           !what.empty())
         return what;
-      const detail::tip_dynamics<Type, Part> at(detail::middle_of(axes_of<Type>()));
+      const detail::tip_dynamics_at<Type, Part> at(detail::middle_of(axes_of<Type>()));
       const matrix3 along = along_reference ? at.end.turn : matrix3(matrix3::Identity());
       const double share = share_of(at, all_damping(at, along, stiffness, damping, damping_ratio),
                                     spring_of(along, stiffness), posture_stiffness, step);
@@ -162,7 +162,11 @@ struct cartesian_impedance {
                optional_in<"damping", damping_at<tip, Along>> damping,
                optional_in<"feedforward", load_on<tip, base>> feedforward,
                optional_in<"posture", Angles> posture,
-               optional_in<"attitude", Attitude> attitude) -> std::tuple<out<"torques", Torques>,
+               optional_in<"attitude", Attitude> attitude,
+               derived<pose_of<Type>, "angles"> pose = {},
+               derived<end_of<Type, Part>, "angles"> end = {},
+               derived<jacobian_of<Type, Part>, "angles"> jacobian = {},
+               derived<mass_of<Type>, "angles"> mass = {}) -> std::tuple<out<"torques", Torques>,
                                                                          out<"wrench", load_on<tip, base>>,
                                                                          out<"status", input_status_port>,
                                                                          out<"saturation", saturation_port>> {
@@ -191,7 +195,9 @@ struct cartesian_impedance {
         k = p.stiffness, d = p.damping, wanted_twist.setZero(), added.setZero();
         goal << 0, 0, 0, 0, 0, 0, 1;
       }
-      const detail::tip_dynamics<Type, Part> at(q);
+      const detail::tip_dynamics<Type, Part> at(detail::within_bounds(end, angles, motion),
+                                                detail::within_bounds(jacobian, angles, motion),
+                                                detail::within_bounds(mass, angles, motion));
       const matrix3 frame = along_reference ? rotation::matrix(detail::vector4(goal.template tail<4>()))
                                             : matrix3(matrix3::Identity());
       const vector_6 away = wanted_twist - at.jacobian * dq;
@@ -214,7 +220,7 @@ struct cartesian_impedance {
         spring = at.free_torques(vector(
             posture_k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, rest))));
       torques = at.jacobian.transpose() * wrench + free_joints(at, spring, q, dq, beat_now.dt());
-      if (p.compensate_gravity) torques += gravity_torques(at.now, down);
+      if (p.compensate_gravity) torques += gravity_torques(detail::within_bounds(pose, angles, motion), down);
     } else {
       gap = true;
     }

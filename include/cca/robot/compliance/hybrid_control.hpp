@@ -123,12 +123,17 @@ struct hybrid_control {
                in<"angles", Angles> angles,
                in<"velocities", Velocities> velocities,
                beat beat_now,
-               optional_in<"attitude", Attitude> attitude) -> std::tuple<out<"torques", Torques>,
+               optional_in<"attitude", Attitude> attitude,
+               derived<pose_of<Type>, "angles"> pose = {},
+               derived<end_of<Type, Part>, "angles"> end = {},
+               derived<jacobian_of<Type, Part>, "angles"> jacobian = {},
+               derived<mass_of<Type>, "angles"> mass = {}) -> std::tuple<out<"torques", Torques>,
                                                                          out<"exerted", load_on<tip, tip>>,
                                                                          out<"status", input_status_port>,
                                                                          out<"saturation", saturation_port>> {
     detail::input_check motion, wish;
-    const vector q = motion(of(angles)), dq = motion(of(velocities));
+    motion(of(angles));
+    const vector dq = motion(of(velocities));
     detail::vector3 down{0, 0, -p.gravity};
     if (attitude)
       down = rotation::rotate(
@@ -145,7 +150,9 @@ struct hybrid_control {
     vector torques = vector::Zero();
     bool force_cut = false, torque_cut = false;
     if (!motion.unreadable() && angles.origin() != never && velocities.origin() != never) {
-      const detail::tip_dynamics<Type, Part> at(q);
+      const detail::tip_dynamics<Type, Part> at(detail::within_bounds(end, angles, motion),
+                                                detail::within_bounds(jacobian, angles, motion),
+                                                detail::within_bounds(mass, angles, motion));
       const vector_6 twist = at.jacobian * dq, local = turned(frame.transpose(), twist);
       const vector_6 chosen = selection(), k = p.stiffness.cwiseProduct(vector_6(vector_6::Ones() - chosen));
       vector_6 wrench =
@@ -156,7 +163,8 @@ struct hybrid_control {
         u = controlled(chosen, force, exerted, u, beat_now.dt(), force_cut);
       }
       torques = at.jacobian.transpose() * (wrench + turned(frame, u)) -
-                p.posture_damping * at.free_momentum(dq) + gravity_torques(at.now, down);
+                p.posture_damping * at.free_momentum(dq) +
+                gravity_torques(detail::within_bounds(pose, angles, motion), down);
     }
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);

@@ -125,7 +125,8 @@ struct joint_impedance {
                optional_in<"damping", damping_along<Torques>> damping,
                optional_in<"feedforward", Torques> feedforward,
                optional_in<"attitude", Attitude> attitude,
-               beat this_beat = beat{0, 0, 1}) -> std::
+               beat this_beat = beat{0, 0, 1},
+               derived<pose_of<Type>, "angles"> pose = {}) -> std::
       tuple<out<"torques", Torques>, out<"status", input_status_port>, out<"saturation", saturation_port>> {
     detail::input_check motion, wish;
     const vector q = motion(of(angles)), dq = motion(of(velocities));
@@ -144,7 +145,7 @@ struct joint_impedance {
     bool spring_cut = false, torque_cut = false;
     if (!motion.unreadable() && angles.origin() != never && velocities.origin() != never) {
       if (wish.unreadable()) k = p.stiffness, d = p.damping, dq_wanted.setZero(), added.setZero();
-      const body_pose<Type> now(q);
+      const body_pose<Type>& now = detail::within_bounds(pose, angles, motion);
       const matrix mass = mass_matrix(now);
       matrix resists = resistance(mass, k, d, p.damping_ratio);
       const double share =

@@ -47,7 +47,7 @@
 #include <cca/robot/body_components.hpp>
 #include <cca/robot/compliance/compliance_spaces.hpp>
 #include <cca/robot/compliance/energy_tank.hpp>
-#include <cca/robot/dynamics/mass_matrix.hpp>
+#include <cca/robot/dynamics/derived_mass.hpp>
 
 namespace cca {
 
@@ -86,10 +86,11 @@ struct passivity_guard {
                in<"angles", Angles> angles,
                in<"velocities", Velocities> velocities,
                beat now,
-               optional_in<"gravity", Torques> gravity) -> std::tuple<out<"torques", Torques>,
-                                                                      out<"energy", tank_energy>,
-                                                                      out<"status", input_status_port>,
-                                                                      out<"guard", guard_port>> {
+               optional_in<"gravity", Torques> gravity,
+               derived<mass_of<Type>, "angles"> moved = {}) -> std::tuple<out<"torques", Torques>,
+                                                                          out<"energy", tank_energy>,
+                                                                          out<"status", input_status_port>,
+                                                                          out<"guard", guard_port>> {
     if (!begun) tank.start(p.energy);
     begun = true;
     detail::input_check motion, command, weight;
@@ -108,9 +109,7 @@ struct passivity_guard {
       if (gap) tank.draw_after_gap(q, p.most);
       else tank.draw(q, p.most);
       gap = false;
-      const Eigen::Matrix<double, body_pose<Type>::size, body_pose<Type>::size> mass =
-          mass_matrix(body_pose<Type>(q));
-      const detail::positive_matrix<body_pose<Type>::size> solver(mass);
+      const auto& [mass, solver] = detail::within_bounds(moved, angles, motion);
       const vector brake = -p.braking * (mass * dq);
       if (!command.unreadable()) share = tank.share(wanted, vector(vector::Zero()), dq, solver, now.dt());
       // The brake takes the place of what does not pass.

@@ -1,8 +1,9 @@
 // What the controllers of the end of a part share: its pose, its Jacobian, its mobility, and the joint
 // torques that it does not feel.
 //
-//   const cca::detail::tip_dynamics<Body, "arm"> tip(q);
-//   tip.now, tip.end, tip.jacobian    body_pose, rigid, 6 x n
+//   const cca::detail::tip_dynamics_at<Body, "arm"> tip(q);
+//   const cca::detail::tip_dynamics<Body, "arm"> tip(end, jacobian, mass);    of what is derived already
+//   tip.end, tip.jacobian             rigid, 6 x n
 //   tip.mass                          mass matrix, n x n, and its decomposition `tip.solver`
 //   tip.mobility                      J M^-1 J^T: acceleration of the end per wrench
 //   tip.free_torques(t)               the part of joint torques that does not accelerate the end
@@ -13,7 +14,7 @@
 #pragma once
 
 #include <cca/robot/compliance/compliance_spaces.hpp>
-#include <cca/robot/dynamics/mass_matrix.hpp>
+#include <cca/robot/dynamics/derived_mass.hpp>
 #include <cca/robot/dynamics/operational_space.hpp>
 
 namespace cca::detail {
@@ -24,19 +25,15 @@ struct tip_dynamics {
   using vector = Eigen::Matrix<double, size, 1>;
   using matrix = Eigen::Matrix<double, size, size>;
 
-  body_pose<Body> now;
-  rigid end;
-  Eigen::Matrix<double, 6, size> jacobian;
-  matrix mass;
-  positive_matrix<size> solver;
+  const rigid& end;
+  const Eigen::Matrix<double, 6, size>& jacobian;
+  const matrix& mass;
+  const positive_matrix<size>& solver;
   matrix6 mobility, inertia;
 
-  explicit tip_dynamics(const vector& q)
-      : now(q),
-        end(now.template tip<Part>()),
-        jacobian(now.template jacobian<Part>()),
-        mass(mass_matrix(now)),
-        solver(mass) {
+  // They must outlive this.
+  tip_dynamics(const rigid& at, const Eigen::Matrix<double, 6, size>& moves, const decomposed_mass<size>& m)
+      : end(at), jacobian(moves), mass(m.matrix), solver(m.solver) {
     const Eigen::Matrix<double, size, 6> half =
         solver.forward(Eigen::Matrix<double, size, 6>(jacobian.transpose()));
     mobility = half.transpose() * half;
@@ -49,6 +46,29 @@ struct tip_dynamics {
   vector free_momentum(const vector& dq) const {
     return mass * dq - jacobian.transpose() * (inertia * (jacobian * dq));
   }
+};
+
+// With all that it is made of.
+template <class Body, fixed_string Part>
+struct parts_of_tip_dynamics {
+  body_pose<Body> now;
+  rigid own_end;
+  typename body_pose<Body>::jacobian_type own_jacobian;
+  decomposed_mass<body_pose<Body>::size> own_mass;
+
+  explicit parts_of_tip_dynamics(const typename body_pose<Body>::vector_type& q)
+      : now(q),
+        own_end(now.template tip<Part>()),
+        own_jacobian(now.template jacobian<Part>()),
+        own_mass(mass_of<Body>::of(now)) {}
+};
+template <class Body, fixed_string Part>
+struct tip_dynamics_at : parts_of_tip_dynamics<Body, Part>, tip_dynamics<Body, Part> {
+  explicit tip_dynamics_at(const typename body_pose<Body>::vector_type& q)
+      : parts_of_tip_dynamics<Body, Part>(q),
+        tip_dynamics<Body, Part>(this->own_end, this->own_jacobian, this->own_mass) {}
+  tip_dynamics_at(const tip_dynamics_at&) = delete;
+  tip_dynamics_at& operator=(const tip_dynamics_at&) = delete;
 };
 
 }  // namespace cca::detail

@@ -62,12 +62,13 @@ struct momentum_observer {
                in<"velocities", Velocities> velocities,
                in<"torques", Torques> torques,
                beat now,
-               optional_in<"attitude", Attitude> attitude)
+               optional_in<"attitude", Attitude> attitude,
+               derived<pose_of<Type>, "angles"> pose = {})
       -> std::tuple<out<"external", Torques>, out<"status", input_status_port>> {
     using order = axes_of<Type>;
     detail::input_check inputs;
-    const vector q = inputs(detail::reordered<order, Angles>::from(angles.vector())),
-                 dq = inputs(detail::reordered<order, Velocities>::from(velocities.vector())),
+    inputs(detail::reordered<order, Angles>::from(angles.vector()));
+    const vector dq = inputs(detail::reordered<order, Velocities>::from(velocities.vector())),
                  drive = inputs(detail::reordered<order, Torques>::from(torques.vector()));
     detail::vector3 down{0, 0, -p.gravity};
     if (attitude) {
@@ -77,7 +78,7 @@ struct momentum_observer {
     if (inputs.unreadable()) {
       begun = false;
     } else {
-      const body_pose<Type> at(q);
+      const body_pose<Type>& at = detail::within_bounds(pose, angles, inputs);
       const auto found = joint_momentum(at, dq);
       const vector load = found.change - gravity_torques(at, down);
       if (begun) {

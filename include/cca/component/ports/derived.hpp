@@ -1,0 +1,143 @@
+// What follows from a sample, as a parameter of `process`: a pure function of what an input shows, computed
+// once in a beat for all components that ask for the same function of the same sample.
+//
+//   struct length_of {
+//     using value = double;
+//     static value of(const auto& sample) { return sample.vector().norm(); }
+//   };
+//   auto process(cca::in<"force", force> felt, cca::derived<length_of, "force"> length) -> ... {
+//     length.of(felt)
+//
+// A function may build on others: with `using from = cca::from<A, B>;` its `of` takes the values of A and B,
+// which are shared, too. `of` must depend on nothing but the coordinates of the sample.
+//
+//   length.of(felt)       the value. Outside of a beat, where `process` is called by hand with `{}` for this
+//                         parameter, it is computed here
+//   length.anew(other)    of another sample instead, for a component that does not take the input as it is
+//
+// Inputs of one output share it if their wires have neither a delay nor a queue: they show the same sample.
+// Behind other wires each component has a value of its own, so sharing changes no result. A value lives for
+// one beat; in a beat that is compiled in parts, for one part.
+//
+// NaN: `of` sees it as it is.
+// Precondition: the value has a trivial destructor. Errors: component.bad_parameter. Cost: a test for each
+// component that asks, where the compiler can't tell that another one has asked before.
+// Example: tests/runtime/core/derived.cpp; docs/components.md.
+#pragma once
+
+#include <new>
+#include <string_view>
+#include <type_traits>
+
+#include <cca/base/fixed_string.hpp>
+#include <cca/base/inlining.hpp>
+#include <cca/base/messages/holds_or_tells.hpp>
+#include <cca/space/sample.hpp>
+
+namespace cca {
+
+// The functions on whose values another one builds.
+template <class... Functions>
+struct from {};
+
+namespace detail {
+
+template <class Function> concept DerivesValue = requires { typename Function::value; };
+
+template <class Function>
+struct no_derived_value {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: `" << type_name<Function>()
+      << "` stands in a cca::derived, but states no `value`: write `using value = ...;` and a static "
+         "function "
+         "`of` which makes one of a sample";
+  }
+};
+template <class Function>
+struct value_with_destructor {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: the value of `" << type_name<Function>()
+      << "` has a destructor that does something: a cca::derived is a plain value, which no beat destroys";
+  }
+};
+
+// Of a function that states no value, so that the compiler has one thing to say.
+struct no_function {
+  using value = double;
+  static value of(const auto&...) { return 0; }
+};
+template <class Function>
+constexpr auto function_or_refused() {
+  static_assert(holds_or_tells<DerivesValue<Function>, no_derived_value<Function>>::value);
+  if constexpr (DerivesValue<Function>) {
+    static_assert(holds_or_tells<std::is_trivially_destructible_v<typename Function::value>,
+                                 value_with_destructor<Function>>::value);
+    return std::type_identity<Function>{};
+  } else {
+    return std::type_identity<no_function>{};
+  }
+}
+template <class Function>
+using checked_function = typename decltype(function_or_refused<Function>())::type;
+
+// `of` sees the sample, not the port: whether that is fresh depends on the reader.
+template <class Function, class Space>
+CCA_INLINE typename Function::value derived_from_sample(const sample<Space>& s) {
+  return Function::of(s);
+}
+
+template <class Function, class Space>
+typename Function::value value_for(const sample<Space>& s);
+template <class Function, class Space, class... Before>
+typename Function::value value_from(const sample<Space>& s, from<Before...>) {
+  return Function::of(value_for<Before>(s)...);
+}
+template <class Function, class Space>
+typename Function::value value_for(const sample<Space>& s) {
+  if constexpr (requires { typename Function::from; })
+    return value_from<Function>(s, typename Function::from{});
+  else return derived_from_sample<Function>(s);
+}
+
+}  // namespace detail
+
+template <class Function, fixed_string Port>
+class derived {
+public:
+  using function = detail::checked_function<Function>;
+  using value = typename function::value;
+  static constexpr std::string_view port = Port.view();
+
+  derived() {}
+  // For the beat: the value that all share, or that of a sample which no other component sees.
+  explicit derived(const value* shared) : known(shared) {}
+  template <class Space>
+  explicit derived(const sample<Space>& shown) : known(make(shown)) {}
+  // A copy shares what is shared; what this one computed, the copy computes anew.
+  derived(const derived& other) : known(other.known == other.own() ? nullptr : other.known) {}
+  derived& operator=(const derived&) = delete;
+
+  template <class Space>
+  CCA_INLINE const value& of(const sample<Space>& shown) const {
+    if (known == nullptr) [[unlikely]]
+      return anew(shown);
+    return *known;
+  }
+  // Where it is called, a beat does not take it for likely.
+  template <class Space>
+  [[gnu::noinline, gnu::cold]] const value& anew(const sample<Space>& other) const {
+    return *make(other);
+  }
+
+private:
+  const value* own() const { return reinterpret_cast<const value*>(room); }
+  template <class Space>
+  CCA_INLINE const value* make(const sample<Space>& s) const {
+    return ::new (static_cast<void*>(room)) value(detail::value_for<function>(s));
+  }
+
+  const value* known = nullptr;
+  alignas(value) mutable unsigned char room[sizeof(value)];
+};
+
+}  // namespace cca
