@@ -6,6 +6,9 @@
 // EXPECT bounds_swapped: component\.bad_parameter: the lower bound of a parameter, 5, is above its upper bound, 2\.5, so no value fits
 // EXPECT derived_without_value: component\.bad_parameter: `step` stands in a cca::derived, but states no `value`: write `using value = \.\.\.;` and a static function `of`
 // EXPECT derived_text: component\.bad_parameter: the value of `text_of` has a destructor that does something
+// EXPECT derived_from_itself: component\.bad_parameter: `half` stands in a cca::derived, and builds on its own value: take it out of the `cca::from` of those on which it builds
+// EXPECT derived_of_port: component\.bad_parameter: `of_port` makes no `double` of `sample<signal>`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
+// EXPECT derived_of_two: component\.bad_parameter: `of_two` makes no `double` of `double` and `double`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
 // EXPECT twice_limited: space\.bad_limits: a `cca::limits` lists `angle` twice: state one range for each quantity
 // EXPECT never_stopped: strategy\.not_stoppable: the component `walk\.step` \(step\) of walking can not be stopped on its own: write `cca::stoppable<\.\.\.>` around its strategy
 // EXPECT never_stopped_graph: strategy\.not_stoppable: the inner graph `walk` of walking can not be stopped on its own: write `cca::stoppable<>` behind the graph
@@ -47,6 +50,30 @@ struct text_of {
   using value = std::string;
   static value of(const auto&) { return "text"; }
 };
+struct other_half;
+struct half {
+  using value = double;
+  using from = cca::from<other_half>;
+  static value of(double whole) { return whole / 2; }
+};
+struct other_half {
+  using value = double;
+  using from = cca::from<half>;
+  static value of(double other) { return other; }
+};
+struct of_port {
+  using value = double;
+  static value of(cca::in<"x", signal> x) { return x.vector()[0]; }
+};
+struct number {
+  using value = double;
+  static value of(const auto& x) { return x.vector()[0]; }
+};
+struct of_two {
+  using value = double;
+  using from = cca::from<number, number>;
+  static value of(double one) { return one; }
+};
 struct sink {
   void process(cca::in<"x", signal>) {}
 };
@@ -79,6 +106,10 @@ auto stop(Controller& c) {
   c.template stop<Path>();
   return 0;
 }
+template <class Function, class Sample>
+auto derive(const Sample& x) {
+  return cca::derived<Function, "x">().of(x);
+}
 template <class Type, class Controller>
 auto read(const Controller& c) {
   return c.template parameter<Type>("walk.step.gain");
@@ -106,6 +137,12 @@ template <class T>
 using derived_without_value = cca::derived<late<step, T>, "x">;
 template <class T>
 using derived_text = cca::derived<late<text_of, T>, "x">;
+template <class T>
+using derived_from_itself = cca::derived<late<half, T>, "x">;
+template <class T>
+using derived_of_port = decltype(derive<of_port>(std::declval<late<cca::sample<signal>, T>>()));
+template <class T>
+using derived_of_two = decltype(derive<of_two>(std::declval<late<cca::sample<signal>, T>>()));
 template <class T>
 using twice_limited = cca::limits<late<cca::angle, T>, cca::angle>;
 template <class T>

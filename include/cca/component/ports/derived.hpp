@@ -25,6 +25,8 @@
 // Example: tests/runtime/core/derived.cpp; docs/components.md.
 #pragma once
 
+#include <concepts>
+#include <cstdlib>
 #include <new>
 #include <string_view>
 #include <type_traits>
@@ -61,42 +63,114 @@ struct value_with_destructor {
   }
 };
 
-// Of a function that states no value, so that the compiler has one thing to say.
+template <class Function>
+struct builds_on_itself {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: `" << type_name<Function>()
+      << "` stands in a cca::derived, and builds on its own value: take it out of the `cca::from` of those "
+         "on "
+         "which it builds";
+  }
+};
+template <class Function, class... Given>
+struct makes_no_value {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: `" << type_name<Function>() << "` makes no `"
+      << type_name<typename Function::value>() << "` of";
+    const char* before = " `";
+    ((m << before << type_name<Given>() << "`", before = " and `"), ...);
+    m << ": a cca::derived needs a function `static value of(...)` for that";
+  }
+};
+template <class Function, class... Given> concept MakesValueOf = requires(const Given&... given) {
+  { Function::of(given...) } -> std::convertible_to<typename Function::value>;
+};
+
+template <class Function, class... Before>
+constexpr bool reaches_itself();
+template <class... Functions, class... Before>
+constexpr bool one_reaches_itself(from<Functions...>, from<Before...>) {
+  return (reaches_itself<Functions, Before...>() || ...);
+}
+template <class Function, class... Before>
+constexpr bool reaches_itself() {
+  if constexpr ((std::is_same_v<Function, Before> || ...)) return true;
+  else if constexpr (requires { typename Function::from; })
+    return one_reaches_itself(typename Function::from{}, from<Function, Before...>{});
+  else return false;
+}
+
+// Of a function that is refused, so that the compiler has one thing to say.
 struct no_function {
   using value = double;
   static value of(const auto&...) { return 0; }
 };
 template <class Function>
-constexpr auto function_or_refused() {
-  static_assert(holds_or_tells<DerivesValue<Function>, no_derived_value<Function>>::value);
-  if constexpr (DerivesValue<Function>) {
-    static_assert(holds_or_tells<std::is_trivially_destructible_v<typename Function::value>,
-                                 value_with_destructor<Function>>::value);
-    return std::type_identity<Function>{};
-  } else {
-    return std::type_identity<no_function>{};
-  }
-}
+struct value_of {
+  using type = no_function::value;
+};
+template <DerivesValue Function>
+struct value_of<Function> {
+  using type = typename Function::value;
+};
 template <class Function>
-using checked_function = typename decltype(function_or_refused<Function>())::type;
+struct from_of {
+  using type = from<>;
+};
+template <class Function>
+  requires requires { typename Function::from; }
+struct from_of<Function> {
+  using type = typename Function::from;
+};
+
+// `type`: the function, if it and those on whose values it builds are right.
+template <class Function, class From = typename from_of<Function>::type>
+struct judged_function;
+template <class Function, class... Before>
+struct judged_function<Function, from<Before...>> {
+  static constexpr bool has_value = DerivesValue<Function>;
+  static constexpr bool is_plain = [] {
+    if constexpr (has_value) return std::is_trivially_destructible_v<typename Function::value>;
+    else return true;
+  }();
+  static constexpr bool is_circular = reaches_itself<Function>();
+  static constexpr bool is_right = has_value && is_plain && !is_circular;
+  static constexpr bool makes_one = [] {
+    if constexpr (is_right && sizeof...(Before) > 0)
+      return MakesValueOf<Function, typename value_of<Before>::type...>;
+    else return true;
+  }();
+  static_assert(holds_or_tells<has_value, no_derived_value<Function>>::value);
+  static_assert(holds_or_tells<is_plain, value_with_destructor<Function>>::value);
+  static_assert(holds_or_tells<!is_circular, builds_on_itself<Function>>::value);
+  static_assert(
+      holds_or_tells<makes_one, makes_no_value<Function, typename value_of<Before>::type...>>::value);
+
+  static constexpr bool all_are_right = [] {
+    if constexpr (is_right && makes_one)
+      return (std::is_same_v<typename judged_function<Before>::type, Before> && ...);
+    else return false;
+  }();
+  using type = std::conditional_t<all_are_right, Function, no_function>;
+};
 
 // `of` sees the sample, not the port: whether that is fresh depends on the reader.
 template <class Function, class Space>
-CCA_INLINE typename Function::value derived_from_sample(const sample<Space>& s) {
-  return Function::of(s);
-}
-
-template <class Function, class Space>
-typename Function::value value_for(const sample<Space>& s);
+CCA_INLINE typename Function::value value_for(const sample<Space>& s);
 template <class Function, class Space, class... Before>
-typename Function::value value_from(const sample<Space>& s, from<Before...>) {
+CCA_INLINE typename Function::value value_from(const sample<Space>& s, from<Before...>) {
   return Function::of(value_for<Before>(s)...);
 }
 template <class Function, class Space>
-typename Function::value value_for(const sample<Space>& s) {
+CCA_INLINE typename Function::value value_for(const sample<Space>& s) {
   if constexpr (requires { typename Function::from; })
     return value_from<Function>(s, typename Function::from{});
-  else return derived_from_sample<Function>(s);
+  else {
+    static_assert(holds_or_tells<MakesValueOf<Function, sample<Space>>,
+                                 makes_no_value<Function, sample<Space>>>::value);
+    if constexpr (MakesValueOf<Function, sample<Space>>) return Function::of(s);
+    else std::abort();
+  }
 }
 
 }  // namespace detail
@@ -104,7 +178,7 @@ typename Function::value value_for(const sample<Space>& s) {
 template <class Function, fixed_string Port>
 class derived {
 public:
-  using function = detail::checked_function<Function>;
+  using function = typename detail::judged_function<Function>::type;
   using value = typename function::value;
   static constexpr std::string_view port = Port.view();
 

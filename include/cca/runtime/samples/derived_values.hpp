@@ -174,7 +174,7 @@ CCA_INLINE const typename Function::value& shared_value(const derived_in_beat<Gr
     if constexpr (requires { typename Function::from; })
       ::new (static_cast<void*>(room))
           value(new_value<Graph, Input, Function>(b, index, shown, typename Function::from()));
-    else ::new (static_cast<void*>(room)) value(derived_from_sample<Function>(shown()));
+    else ::new (static_cast<void*>(room)) value(value_for<Function>(shown()));
     is_known = true;
   }
   return *std::launder(reinterpret_cast<const value*>(room));
