@@ -3,6 +3,8 @@
 // over or the robot falls.
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla/disturbance.hpp>
@@ -18,6 +20,11 @@ namespace trot {
 
 struct simulated_trot : architecture<cca::sim::oncilla> {};
 using trotting = cca::controller<simulated_trot>;
+
+// The world in which the robot of a controller is: cca::sim::world, or that of another engine.
+template <class Controller>
+using world_of =
+    std::remove_cvref_t<decltype(std::declval<Controller&>().template get<"robot.simulator">().world())>;
 
 // The posture around which the gait swings, with the noise of the disturbance.
 inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::sim::disturbance& d) {
@@ -45,9 +52,9 @@ recording begin(Controller& controller,
                 const cca::sim::robot_world_settings& physics = {}) {
   // The robot's posture, the ground and the disturbance: [put down]
   auto& simulator = controller.template get<"robot.simulator">();
-  simulator.put_down(
-      cca::sim::world(ground.with_friction(disturbance.friction), put_down(stands, disturbance), physics),
-      disturbance);
+  world_of<Controller> world(ground.with_friction(disturbance.friction), put_down(stands, disturbance),
+                             physics);
+  simulator.put_down(std::move(world), disturbance);
   // [put down end]
   recording run;
   run.begin(simulator.world(), beats_in(seconds));
@@ -68,7 +75,7 @@ recording begin(Controller& controller,
 // between(world, part of the run), called after each beat, returns false.
 template <class Controller, class Between>
 recording walked(Controller& controller, recording run, double seconds, Between between) {
-  const cca::sim::world& world = controller.template get<"robot.simulator">().world();
+  const auto& world = controller.template get<"robot.simulator">().world();
   const std::size_t beats = beats_in(seconds);
   controller.start();
   for (std::size_t k = 1; k <= beats && !run.fell && controller.step(); ++k) {
@@ -79,8 +86,8 @@ recording walked(Controller& controller, recording run, double seconds, Between 
 }
 
 // A whole run of the trot.
-template <class Between>
-recording roll_out(trotting& controller,
+template <class Controller, class Between>
+recording roll_out(Controller& controller,
                    const cca::sim::terrain& ground,
                    const cca::sim::disturbance& disturbance,
                    double seconds,

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/sim/oncilla/asked_by_leg.hpp>
 #include <cca/sim/oncilla/attitude.hpp>
-#include <cca/sim/oncilla/world.hpp>
 
 namespace trot {
 
@@ -35,7 +35,8 @@ struct recording {
   std::array<cca::sim::foot_account, 4> feet{}, feet_when_settled{};  // what each foot has done so far
   bool fell = false;
 
-  void begin(const cca::sim::world& w, std::size_t beats) {
+  template <class World>  // asked by leg, whatever engine it has
+  void begin(const World& w, std::size_t beats) {
     moments.reserve(beats);
     start = w.trunk_position();
     beat = w.model().beat;
@@ -43,7 +44,8 @@ struct recording {
     gravity = w.settings().engine.gravity;
   }
 
-  void note(const cca::sim::world& w) {
+  template <class World>
+  void note(const World& w) {
     const cca::sim::robot_reading r = w.reading();
     const cca::sim::robot_command taken = w.targets();
     moment m;

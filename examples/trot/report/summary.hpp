@@ -23,6 +23,7 @@ struct costs {
 struct circumstances {
   std::optional<std::uint64_t> seed;  // none: no disturbance
   std::string terrain;
+  std::string engine = "ode";
 };
 
 namespace detail {
@@ -98,7 +99,8 @@ inline void write_json(std::ostream& out,
                   {"controller_ns_per_beat", measured(&costs::controller_ns_per_beat)},
                   {"physics_ns_per_beat", measured(&costs::physics_ns_per_beat)},
                   {"seed", where.seed ? json(*where.seed) : json()},
-                  {"terrain", where.terrain}});
+                  {"terrain", where.terrain},
+                  {"engine", where.engine}});
 }
 
 }  // namespace trot
