@@ -199,9 +199,9 @@ struct orientation {
     }
 
     // Rotate by roll about x, then by pitch about y, then by yaw about z, all axes of Frame.
-    double roll() const { return rotation::roll(this->self().vector()); }    // (-pi, pi]
-    double pitch() const { return rotation::pitch(this->self().vector()); }  // [-pi/2, pi/2]
-    double yaw() const { return rotation::yaw(this->self().vector()); }      // (-pi, pi]
+    CCA_INLINE double roll() const { return rotation::roll(this->self().vector()); }    // (-pi, pi]
+    CCA_INLINE double pitch() const { return rotation::pitch(this->self().vector()); }  // [-pi/2, pi/2]
+    CCA_INLINE double yaw() const { return rotation::yaw(this->self().vector()); }      // (-pi, pi]
 
     matrix_3 matrix() const { return rotation::matrix(this->self().vector()); }
 

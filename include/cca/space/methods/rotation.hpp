@@ -69,7 +69,7 @@ inline vector4<Scalar> canonical(const vector4<Scalar>& q) {
 
 // In [0, pi].
 template <class Scalar = double>
-inline Scalar angle(const vector4<Scalar>& q) {
+CCA_INLINE Scalar angle(const vector4<Scalar>& q) {
   return 2 * math::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
 }
 
@@ -112,16 +112,16 @@ inline vector4<Scalar> from_roll_pitch_yaw(Scalar roll, Scalar pitch, Scalar yaw
 // From the entries of the rotation matrix. At a pitch of +-pi/2 roll and yaw rotate about the same axis, and
 // only their difference (at +pi/2) or sum (at -pi/2) is defined.
 template <class Scalar = double>
-inline Scalar roll(const vector4<Scalar>& q) {
+CCA_INLINE Scalar roll(const vector4<Scalar>& q) {
   return math::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
 }
 template <class Scalar = double>
-inline Scalar pitch(const vector4<Scalar>& q) {
+CCA_INLINE Scalar pitch(const vector4<Scalar>& q) {
   const Scalar s = 2 * (q[3] * q[1] - q[2] * q[0]);
   return math::asin(s > 1 ? 1 : s < -1 ? -1 : s);
 }
 template <class Scalar = double>
-inline Scalar yaw(const vector4<Scalar>& q) {
+CCA_INLINE Scalar yaw(const vector4<Scalar>& q) {
   return math::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
 }
 

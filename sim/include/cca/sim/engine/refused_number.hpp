@@ -25,7 +25,8 @@ inline void need(
                               std::string(unit) + ": it must be " + std::string(must));
 }
 
-[[noreturn]] inline void refuse_number(std::size_t i, std::size_t count, const char* of) {
+// Out of line: no beat holds what it takes to write the sentence.
+[[noreturn, gnu::noinline]] inline void refuse_number(std::size_t i, std::size_t count, const char* of) {
   const std::string has = count == 0 ? "none"
                           : count == 1
                               ? "one, number 0"
