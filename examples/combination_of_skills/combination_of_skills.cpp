@@ -1,108 +1,18 @@
 // The Oncilla trots, stops, reaches for a ball with a front paw, and trots on. Writes a table, a CSV file and
 // a picture; --help lists the options.
-#include <cstdio>
-#include <iostream>
-#include <optional>
-#include <string>
+// engines/ has the same program with the robot in compiled physics.
+#include <cca/sim/oncilla.hpp>
 
-#include <cca/cca.hpp>
-#include <cca/graph/items/shows.hpp>
-#include <cca/main.hpp>
-#include <cca/robots/oncilla/legged_body.hpp>
-
-#if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>                // offers --record
-#include <cca/record/replay_option.hpp>  // offers --replay
-#endif
-
-#include "../trot/report/csv.hpp"
-#include "../trot/report/file.hpp"
-#include "../trot/report/progress.hpp"
-#include "../trot/report/recording.hpp"
-#include "../trot/report/svg.hpp"
-#include "command_line.hpp"
-#include "rollout.hpp"
-#include "summary.hpp"
+#include "engines/compiled.hpp"
+#include "program.hpp"
 
 namespace {
 
-struct simulated
-    : skills::simulated,
-      cca::recordable,
-      cca::traceable,
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
-
-struct program : cca::robot_program<simulated> {
-  program() {
-    purpose = "a simulated Oncilla trots, stops, reaches for a ball and trots on";
-    settings.speed.reset();  // a fast run
-  }
-
-  void options(cca::command_line& line) override {
-    o.offer(line, settings);
-    line.text("--csv FILE", csv, "every fifth beat");
-    line.text("--svg FILE", svg, "footfalls, path and joint angles");
-  }
-
-  void prepare(controller_type& c) override { skills::name_shape(c, o.shape); }
-
-  void loaded(controller_type& c) override {
-    if (o.run.seed) settings.notes["seed"] = std::to_string(*o.run.seed);
-    run.emplace(o.run);
-    skills::simulated_stage<controller_type> stage{c};
-    run->begin(stage);
-    bar = trot::progress_bar("skills", !settings.quiet);
-  }
-
-  bool between(controller_type& c) override {
-    skills::simulated_stage<controller_type> stage{c};
-    if (csv || svg) record(stage.world(), c.beat_index());
-    if (c.beat_index() % 20 == 0) {
-      const auto& steps = c.get<"sequencer">().steps;
-      char note[64];
-      std::snprintf(note, sizeof note, "%5.1f s  %s", stage.world().time(),
-                    std::string(steps.name()).c_str());
-      bar.show(static_cast<double>(steps.step()) / skills::plan::count, note);
-    }
-    return run->note(stage);
-  }
-
-  void stop(controller_type& c) override {
-    c.stop();
-    bar.show(1);
-    bar.done();
-  }
-
-  int finish(controller_type&) override {
-    const auto result = run->end();
-    if (!settings.quiet) skills::write_table(std::cout, o.run, result);
-    if (o.summary)
-      trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
-    if (csv) trot::write(*csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
-    if (svg)
-      trot::write(*svg, [&](std::ostream& file) {
-        char title[128];
-        std::snprintf(title, sizeof title,
-                      "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s",
-                      result.reach_error * 1e3, result.reach_time);
-        trot::write_svg(file, recorded, title);
-      });
-    return skills::succeeded(result) ? 0 : 1;
-  }
-
-private:
-  void record(const cca::sim::world& world, std::int64_t beat) {
-    if (beat == 1) recorded.begin(world, 30'000);
-    recorded.note(world);
-  }
-
-  skills::options o;
-  std::optional<std::string> csv, svg;
-  std::optional<skills::noted_run> run;
-  trot::progress_bar bar{"skills"};
-  trot::recording recorded;
-};
+struct simulated : skills::watched<cca::sim::oncilla> {};
 
 }  // namespace
 
-int main(int count, char** words) { return cca::robot_main<program>(count, words); }
+int main(int count, char** words) {
+  if (trot::engine_in(count, words) == trot::engine::compiled) return skills::compiled_main(count, words);
+  return cca::robot_main<skills::program<simulated, trot::engine::ode>>(count, words);
+}

@@ -75,21 +75,22 @@ public:
                       : cca::sim::disturbance::none()),
         around(c.where, c.paw, c.trot_seconds) {}
 
-  cca::sim::world put_down(const orders::parameters& p) const {
-    return cca::sim::world(cca::sim::terrain::flat().with_friction(pushes.friction),
-                           skills::put_down(p, pushes));
+  template <class World = cca::sim::world>  // or that of another engine
+  World put_down(const orders::parameters& p) const {
+    return World(cca::sim::terrain::flat().with_friction(pushes.friction), skills::put_down(p, pushes));
   }
   const cca::sim::disturbance& disturbance() const { return pushes; }
 
   // Before a beat: the ball in the trunk's frame, if a camera on the trunk sees it.
-  std::optional<Eigen::Vector3d> ball(const cca::sim::world& world) {
+  template <class World>
+  std::optional<Eigen::Vector3d> ball(const World& world) {
     return around.seen(world, r.last > plan::at<"stop">);
   }
 
   // After a beat that began at `time`: the step that the sequencer is in now. `tracking_error()` is the
   // distance between joints and commands. True: `disturbance` has a push more than before.
-  template <class Error>
-  bool note(double time, const cca::sim::world& world, int now_on, bool timed_out, Error tracking_error) {
+  template <class World, class Error>
+  bool note(double time, const World& world, int now_on, bool timed_out, Error tracking_error) {
     const int before = r.last;
     if (now_on != before) {
       episode& ended = r.skills[static_cast<std::size_t>(before)];
@@ -128,7 +129,8 @@ private:
   static constexpr double most_seconds = 60, measured = 0.4, push_seconds = 0.06;
 
   // While the paw is at the ball, for `since` seconds.
-  bool note_distance(double time, double since, const cca::sim::world& world) {
+  template <class World>
+  bool note_distance(double time, double since, const World& world) {
     const double error = around.distance(world).value_or(std::nan(""));
     if (since >= measured) {
       late_sum += error, ++late_count;

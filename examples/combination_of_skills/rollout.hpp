@@ -4,6 +4,7 @@
 // `controller`, loaded and not started, `step()`, `world()`, `put_down(world, disturbance)` and
 // `disturb(disturbance)`.
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include <cca/cca.hpp>
@@ -38,7 +39,9 @@ public:
 
   template <class Stage>
   void begin(Stage& stage) {
-    stage.put_down(watching.put_down(stage.controller.template get<"orders">().p), watching.disturbance());
+    using world = std::remove_cvref_t<decltype(stage.world())>;
+    stage.put_down(watching.put_down<world>(stage.controller.template get<"orders">().p),
+                   watching.disturbance());
     look(stage);
   }
 
@@ -71,11 +74,12 @@ private:
   double began = 0;  // s, when the beat began
 };
 
-template <class Controller>  // of `simulated`, or of a graph derived from it
+template <class Controller>  // of an architecture with a simulated robot, or of a graph derived from it
 struct simulated_stage {
   Controller& controller;
-  const cca::sim::world& world() const { return controller.template get<"robot.simulator">().world(); }
-  void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
+  const auto& world() const { return controller.template get<"robot.simulator">().world(); }
+  template <class World>
+  void put_down(World&& w, const cca::sim::disturbance& d) {
     controller.template get<"robot.simulator">().put_down(std::move(w), d);
   }
   void disturb(const cca::sim::disturbance& d) { controller.template get<"robot.simulator">().disturb(d); }
@@ -97,9 +101,9 @@ result act(Stage& stage, const circumstances& c, Between between) {
   return run.end();
 }
 
-template <class Between>
-result roll_out(combined& controller, const circumstances& c, Between between) {
-  simulated_stage<combined> stage{controller};
+template <class Controller, class Between>
+result roll_out(Controller& controller, const circumstances& c, Between between) {
+  simulated_stage<Controller> stage{controller};
   return act(stage, c, between);
 }
 

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include <cca/sim/oncilla/world.hpp>
+#include <cca/sim/oncilla/asked_by_leg.hpp>
 
 #include "legs.hpp"
 
@@ -33,7 +33,8 @@ public:
 
   // The ball in the trunk's frame, if a camera on the trunk sees it. A ball that isn't fixed in the world
   // appears in front of the robot after `trot_seconds`, and moves with it until it stops.
-  std::optional<Eigen::Vector3d> seen(const cca::sim::world& world, bool stopped) {
+  template <class World>  // asked by leg, whatever engine it has
+  std::optional<Eigen::Vector3d> seen(const World& world, bool stopped) {
     const Eigen::Vector3d trunk = vector(world.trunk_position());
     const cca::sim::quaternion& q = world.reading().trunk.orientation;
     const Eigen::Vector4d turn(q.x, q.y, q.z, q.w);
@@ -47,7 +48,8 @@ public:
   }
 
   // The true distance from paw to ball, which no sensor of the robot measures.
-  std::optional<double> distance(const cca::sim::world& world) const {
+  template <class World>
+  std::optional<double> distance(const World& world) const {
     if (!ball_) return {};
     return (vector(world.foot_position(leg_)) - *ball_).norm();
   }

@@ -1,104 +1,18 @@
 // A simulated Oncilla walks by a learned policy. `walking_policy --help` lists the options;
 // walking_policy_learn makes the weights, walking_policy_seeds judges them.
-#include <cstdio>
-#include <iostream>
-#include <optional>
-#include <string>
+// engines/ has the same program with the robot in compiled physics.
+#include <cca/sim/oncilla.hpp>
 
-#include <cca/cca.hpp>
-#include <cca/graph/items/shows.hpp>
-#include <cca/main.hpp>
-#include <cca/robots/oncilla/legged_body.hpp>
-
-#if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>                // offers --record
-#include <cca/record/replay_option.hpp>  // offers --replay
-#endif
-
-#include "../trot/report/command_line.hpp"
-#include "../trot/report/csv.hpp"
-#include "../trot/report/file.hpp"
-#include "../trot/report/progress.hpp"
-#include "../trot/report/statistics.hpp"
-#include "../trot/report/summary.hpp"
-#include "../trot/report/svg.hpp"
-#include "rollout.hpp"
+#include "engines/compiled.hpp"
+#include "program.hpp"
 
 namespace {
 
-struct simulated_walk
-    : walking::simulated,
-      cca::recordable,
-      cca::traceable,
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
-
-struct program : cca::robot_program<simulated_walk> {
-  program() {
-    purpose = "a simulated Oncilla walks by a learned policy";
-    settings.seconds = 20;
-    settings.speed.reset();  // a fast run
-    o.seed = 1000;           // no seed of the training
-  }
-
-  void options(cca::command_line& line) override {
-    line.text("--weights FILE", weights, "of the policy (walk.policy)");
-    o.offer(line, settings);
-  }
-
-  void prepare(controller_type& c) override { walking::name_weights(c, weights); }
-
-  void loaded(controller_type& c) override {
-    if (o.speed) walking::command_speed(c, *o.speed);
-    const double seconds = *settings.seconds;
-    if (o.seed) settings.notes["seed"] = std::to_string(*o.seed);
-    settings.notes["ground"] = o.ground.name();
-    recorded = walking::begin(
-        c, o.ground,
-        o.seed ? cca::sim::disturbance::from_seed(*o.seed, seconds) : cca::sim::disturbance::none(), seconds);
-    bar = trot::progress_bar("walk", !settings.quiet);
-  }
-
-  bool between(controller_type& c) override {
-    const cca::sim::world& world = c.get<"robot.simulator">().world();
-    recorded.note(world);
-    if (c.beat_index() % 20 == 0) {
-      char note[64];
-      std::snprintf(note, sizeof note, "%5.1f s %6.2f m", world.time(), world.trunk_position()[0]);
-      bar.show(world.time() / *settings.seconds, note);
-    }
-    return !recorded.fell;
-  }
-
-  void stop(controller_type& c) override {
-    c.stop();
-    bar.done();
-  }
-
-  int finish(controller_type&) override {
-    const trot::statistics figures = trot::evaluate(recorded);
-    if (!settings.quiet) trot::write_table(std::cout, figures, std::nullopt);
-    if (o.summary)
-      trot::write(*o.summary, [&](std::ostream& file) {
-        trot::write_json(file, figures, std::nullopt, {o.seed, o.ground.name()});
-      });
-    if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
-    if (o.svg)
-      trot::write(*o.svg, [&](std::ostream& file) {
-        char title[128];
-        std::snprintf(title, sizeof title, "Oncilla, learned policy on %s ground: %.2f m in %.1f s, %.2f m/s",
-                      o.ground.name().c_str(), figures.distance, figures.seconds, figures.speed);
-        trot::write_svg(file, recorded, title);
-      });
-    return figures.fell ? 1 : 0;
-  }
-
-private:
-  std::string weights = "walk.policy";
-  trot::options o;
-  trot::progress_bar bar{"walk"};
-  trot::recording recorded;
-};
+struct simulated_walk : walking::watched<cca::sim::oncilla> {};
 
 }  // namespace
 
-int main(int count, char** words) { return cca::robot_main<program>(count, words); }
+int main(int count, char** words) {
+  if (trot::engine_in(count, words) == trot::engine::compiled) return walking::compiled_main(count, words);
+  return cca::robot_main<walking::program<simulated_walk, trot::engine::ode>>(count, words);
+}

@@ -1,0 +1,112 @@
+#pragma once
+// The program of the walk: what it adds to the main function for robots (cca/main.hpp), for a robot in any
+// engine.
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include <cca/cca.hpp>
+#include <cca/graph/items/shows.hpp>
+#include <cca/main.hpp>
+#include <cca/robots/oncilla/legged_body.hpp>
+
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>                // offers --record
+#include <cca/record/replay_option.hpp>  // offers --replay
+#endif
+
+#include "../trot/report/command_line.hpp"
+#include "../trot/report/csv.hpp"
+#include "../trot/report/engine.hpp"
+#include "../trot/report/file.hpp"
+#include "../trot/report/progress.hpp"
+#include "../trot/report/statistics.hpp"
+#include "../trot/report/summary.hpp"
+#include "../trot/report/svg.hpp"
+#include "rollout.hpp"
+
+namespace walking {
+
+template <class Robot>
+struct watched
+    : architecture<Robot>,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
+
+// `Watched`: `watched` of a robot with the questions of asked_by_leg.hpp. `Runs`: what --engine calls it.
+template <class Watched, trot::engine Runs>
+struct program : cca::robot_program<Watched> {
+  using controller_type = typename cca::robot_program<Watched>::controller_type;
+  using cca::robot_program<Watched>::purpose, cca::robot_program<Watched>::settings;
+
+  program() {
+    purpose = "a simulated Oncilla walks by a learned policy";
+    settings.seconds = 20;
+    settings.speed.reset();  // a fast run
+    o.seed = 1000;           // no seed of the training
+  }
+
+  void options(cca::command_line& line) override {
+    line.text("--weights FILE", weights, "of the policy (walk.policy)");
+    o.offer(line, settings);
+    trot::offer_engine(line);
+  }
+
+  void prepare(controller_type& c) override { name_weights(c, weights); }
+
+  void loaded(controller_type& c) override {
+    if (o.speed) command_speed(c, *o.speed);
+    const double seconds = *settings.seconds;
+    if (o.seed) settings.notes["seed"] = std::to_string(*o.seed);
+    settings.notes["ground"] = o.ground.name();
+    settings.notes["engine"] = trot::name_of(Runs);
+    recorded = walking::begin(
+        c, o.ground,
+        o.seed ? cca::sim::disturbance::from_seed(*o.seed, seconds) : cca::sim::disturbance::none(), seconds);
+    bar = trot::progress_bar("walk", !settings.quiet);
+  }
+
+  bool between(controller_type& c) override {
+    const auto& world = c.template get<"robot.simulator">().world();
+    recorded.note(world);
+    if (c.beat_index() % 20 == 0) {
+      char note[64];
+      std::snprintf(note, sizeof note, "%5.1f s %6.2f m", world.time(), world.trunk_position()[0]);
+      bar.show(world.time() / *settings.seconds, note);
+    }
+    return !recorded.fell;
+  }
+
+  void stop(controller_type& c) override {
+    c.stop();
+    bar.done();
+  }
+
+  int finish(controller_type&) override {
+    const trot::statistics figures = trot::evaluate(recorded);
+    if (!settings.quiet) trot::write_table(std::cout, figures, std::nullopt);
+    if (o.summary)
+      trot::write(*o.summary, [&](std::ostream& file) {
+        trot::write_json(file, figures, std::nullopt, {o.seed, o.ground.name(), trot::name_of(Runs)});
+      });
+    if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
+    if (o.svg)
+      trot::write(*o.svg, [&](std::ostream& file) {
+        char title[128];
+        std::snprintf(title, sizeof title, "Oncilla, learned policy on %s ground: %.2f m in %.1f s, %.2f m/s",
+                      o.ground.name().c_str(), figures.distance, figures.seconds, figures.speed);
+        trot::write_svg(file, recorded, title);
+      });
+    return figures.fell ? 1 : 0;
+  }
+
+private:
+  std::string weights = "walk.policy";
+  trot::options o;
+  trot::progress_bar bar{"walk"};
+  trot::recording recorded;
+};
+
+}  // namespace walking
