@@ -309,11 +309,12 @@ private:
     for (std::size_t part = 0; part < state_.pulls.size(); ++part) {
       const auto& e = tree::described.ends[part];
       const auto& [force, torque] = state_.pulls[part];
+      if (detail::is_none(force) && detail::is_none(torque)) continue;
       const vector3 at = links::point(now.now.places, e.link, tree::point({e.link, e.where}));
       links::add_wrench(now.now.places, e.link, at, given(force), given(torque), now.now.forces);
     }
     constexpr auto c = cca::detail::base_inertia_of<typename R::body>().centre;
-    if constexpr (tree::floats)
+    if (tree::floats && !detail::is_none(state_.push))
       links::add_wrench(now.now.places, -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state_.push), {},
                         now.now.forces);
   }

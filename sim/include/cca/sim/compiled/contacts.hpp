@@ -274,7 +274,7 @@ private:
       }
     }
     for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * root(step.now.mass.inverse[k]);
-    step.now.mass.forward(z);
+    limb_solution<R, Real>::forward(step.now.mass, z);
     for (std::size_t k = 0; k < z.size(); ++k) step.change[k] = step.change[k] + z[k];
   }
 

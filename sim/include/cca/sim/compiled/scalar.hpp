@@ -5,6 +5,9 @@
 // lanes; `root(x)`.
 #pragma once
 
+#include <array>
+#include <type_traits>
+
 #include <cca/base/math/angles.hpp>
 #include <cca/base/math/roots.hpp>
 
@@ -13,6 +16,13 @@ namespace cca::sim::detail {
 constexpr double select(bool condition, double yes, double no) { return condition ? yes : no; }
 constexpr bool everywhere(bool condition) { return condition; }
 constexpr double root(double x) { return cca::math::sqrt(x); }
+
+// Whether a vector is zero and adds nothing: no for a scalar that has more than its value.
+template <class Real>
+constexpr bool is_none(const std::array<Real, 3>& v) {
+  if constexpr (std::is_same_v<Real, double>) return v[0] == 0 && v[1] == 0 && v[2] == 0;
+  else return false;
+}
 
 template <class Real>
 constexpr Real smaller(const Real& a, const Real& b) {

@@ -15,6 +15,7 @@
 #include <span>
 
 #include <cca/robots/joint_law.hpp>
+#include <cca/sim/compiled/limbs/limb_solution.hpp>
 #include <cca/sim/compiled/line_forces.hpp>
 #include <cca/sim/compiled/tree_motion.hpp>
 #include <cca/sim/robot/model/cable_winch.hpp>
@@ -94,9 +95,8 @@ public:
         now.mass.diagonal(r) = now.mass.diagonal(r) + Real(h) * taken[c].slope;
       }
       for (std::size_t i = 0; i < tree::lines.size(); ++i) take(i, guess);
-      now.mass.factor();
       for (Real& x : change) x = Real(h) * x;
-      now.mass.solve(change);
+      limb_solution<R, Real>::factor_and_solve(now.mass, change);
       if (rounds == most_rounds || holds(drives, guess)) break;
       guess = change;
     }

@@ -25,7 +25,8 @@ struct whole_robot {
   // Of a place on a link, in the world.
   static moving_frame frame_of(const motion& m, const place_on_link& p) {
     const auto base = m.frame();
-    const auto places = at(m).only_places();
+    typename tree_equations<R, Real>::frames places;
+    if (p.link >= 0) places = at(m).only_places();
     const auto f = links::end_frame(places, p);
     const auto t =
         links::motion(places, p.link, f.at, {along(base, m.angular_velocity), along(base, m.velocity)}, m.dq);
