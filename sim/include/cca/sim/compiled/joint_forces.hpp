@@ -50,25 +50,25 @@ struct coordinate_in_step {
   }
 };
 
+// A force that falls with dv along a straight line.
+template <class Real>
+struct straight_force {
+  Real force{}, slope{};  // force: at dv = 0
+
+  constexpr answer<Real> at(const Real& dv) const { return {force - slope * dv, slope, Real(0.0)}; }
+};
+
 // stiffness (position - q) + damping (speed - v) + torque.
 template <class Real>
 struct soft_law {
   Real position{}, speed{}, torque{}, stiffness{}, damping{};
 
-  constexpr answer<Real> at(const coordinate_in_step<Real>& c, const Real& dv) const {
-    const Real t = c.theta(stiffness, damping);
-    return {stiffness * (position - c.position(t, dv)) + damping * (speed - c.speed(t, dv)) + torque,
+  constexpr straight_force<Real> in(const coordinate_in_step<Real>& c) const {
+    const Real t = c.theta(stiffness, damping), zero(0.0);
+    return {stiffness * (position - c.position(t, zero)) + damping * (speed - c.v) + torque,
             c.slope(t, stiffness, damping)};
   }
 };
-
-template <class Real>
-constexpr answer<Real> in_joint(const robots::joint_drive& d,
-                                const coordinate_in_step<Real>& c,
-                                const Real& dv) {
-  return soft_law<Real>{Real(d.spring_rest), Real(0.0), Real(0.0), Real(d.spring), Real(d.friction)}.at(c,
-                                                                                                        dv);
-}
 
 template <class Real>
 constexpr answer<Real> limited(const answer<Real>& wanted,
@@ -91,52 +91,74 @@ constexpr answer<Real> between_sides(const answer<Real>& wanted,
           select(crosses, Real(0.0), a.side)};
 }
 
-// The most that a motor gives at a speed: its torque, or what its line leaves. `way` -1: the other way.
+// What is left of a motor's torque at a line that falls by `slope`: at most `most`, at least 0. `way` -1: the
+// other way.
 template <class Real>
-constexpr answer<Real> most_of(const robots::motor_line& m, const Real& v, const Real& theta, double way) {
-  const double steep = 2 * m.torque / m.no_load_speed;
-  const Real line = Real(2 * m.torque) - Real(steep * way) * v;
-  const auto falls = line < Real(m.torque), ends = line < Real(0.0);
-  const Real most = select(ends, Real(0.0), select(falls, line, Real(m.torque)));
-  return {Real(way) * most, select(ends, Real(0.0), select(falls, Real(steep) * theta, Real(0.0)))};
+constexpr answer<Real> left_of(const Real& line, const Real& slope, const Real& most, double way) {
+  const auto falls = line < most, ends = line < Real(0.0);
+  const Real left = select(ends, Real(0.0), select(falls, line, most));
+  return {Real(way) * left, select(ends, Real(0.0), select(falls, slope, Real(0.0)))};
 }
 
-// A motor that follows a law, within what its line leaves. One that winds a cable only pulls. `last`: the
-// side of the last round. A stiff law that was at one limit and is beyond the other is taken without limits:
-// what holds is between.
+// The motor of a joint in one step. `last`: the side of the last round. A stiff law that was at one limit and
+// is beyond the other is taken without limits: what holds is between.
 template <class Real>
-constexpr answer<Real> by_motor(const robots::joint_drive& d,
-                                const robots::joint_law& law,
-                                const coordinate_in_step<Real>& c,
-                                const Real& dv,
-                                const Real& last) {
-  const soft_law<Real> soft{Real(law.position), Real(law.velocity), Real(law.torque), Real(law.stiffness),
-                            Real(law.damping)};
-  const Real theta = c.theta(Real(0.0), Real(2 * d.motor.torque / d.motor.no_load_speed));
-  const Real v = c.speed(theta, dv);
-  const answer<Real> none{};
-  return between_sides(soft.at(c, dv), d.cable.stiffness > 0 ? none : most_of(d.motor, v, theta, -1),
-                       most_of(d.motor, v, theta, 1), last);
-}
+class motor_in_step {
+public:
+  constexpr motor_in_step() = default;
 
-// A cable that is wound to `wound` in the middle of the step, at `winding` rad/s.
-template <class Real>
-constexpr answer<Real> by_cable(const robots::joint_drive& d,
-                                const Real& wound,
-                                const Real& winding,
-                                const coordinate_in_step<Real>& c,
-                                const Real& dv,
-                                const Real& last) {
-  const Real stiffness(d.cable.stiffness), damping(d.cable.damping);
-  const Real theta = c.theta(stiffness, damping);
-  const Real stretch = wound + Real(c.h) * ((theta - Real(0.5)) * winding) - c.position(theta, dv);
-  const Real pull = stiffness * stretch + damping * (winding - c.speed(theta, dv));
-  const answer<Real> none{}, most{Real(d.motor.torque)};
-  const answer<Real> taut = between_sides({pull, c.slope(theta, stiffness, damping)}, none, most, last);
-  const auto slack = !(stretch > Real(0.0));
-  return {select(slack, Real(0.0), taut.force), select(slack, Real(0.0), taut.slope),
-          select(slack, Real(-1.0), taut.side)};
-}
+  // It follows a law, within what its line leaves. One that winds a cable only pulls.
+  constexpr motor_in_step(const robots::joint_drive& d,
+                          const robots::joint_law& law,
+                          const coordinate_in_step<Real>& c)
+      : kind_(kind::law), only_pulls_(d.cable.stiffness > 0), most_(d.motor.torque) {
+    wanted_ = soft_law<Real>{Real(law.position), Real(law.velocity), Real(law.torque), Real(law.stiffness),
+                             Real(law.damping)}
+                  .in(c);
+    const double steep = 2 * d.motor.torque / d.motor.no_load_speed;
+    const Real whole(2 * d.motor.torque), now = Real(steep) * c.v;
+    high_ = whole - now, low_ = whole + now;
+    falls_ = Real(steep) * c.theta(Real(0.0), Real(steep));
+  }
+  // It winds a cable, which is wound to `wound` in the middle of the step, at `winding` rad/s.
+  constexpr motor_in_step(const robots::joint_drive& d,
+                          const Real& wound,
+                          const Real& winding,
+                          const coordinate_in_step<Real>& c)
+      : kind_(kind::cable), only_pulls_(true), most_(d.motor.torque) {
+    const Real stiffness(d.cable.stiffness), damping(d.cable.damping), zero(0.0);
+    const Real theta = c.theta(stiffness, damping);
+    high_ = wound + Real(c.h) * ((theta - Real(0.5)) * winding) - c.position(theta, zero);
+    falls_ = Real(0.5 * c.h) * theta;
+    wanted_ = {stiffness * high_ + damping * (winding - c.v), c.slope(theta, stiffness, damping)};
+  }
+
+  constexpr answer<Real> at(const Real& dv, const Real& last) const {
+    if (kind_ == kind::none) return {};
+    const answer<Real> wanted = wanted_.at(dv), none{};
+    const Real& f = wanted.force;
+    const Real lost = falls_ * dv, high = high_ - lost, low = low_ + lost;
+    if (kind_ == kind::cable) {
+      const answer<Real> taut = between_sides(wanted, none, {most_, Real(0.0), Real(0.0)}, last);
+      const auto slack = !(high > Real(0.0));
+      return {select(slack, Real(0.0), taut.force), select(slack, Real(0.0), taut.slope),
+              select(slack, Real(-1.0), taut.side)};
+    }
+    if (everywhere((f <= most_) & (f <= high))) {
+      if (only_pulls_ ? everywhere(Real(0.0) <= f) : everywhere((-most_ <= f) & (-low <= f))) return wanted;
+    }
+    return between_sides(wanted, only_pulls_ ? none : left_of(low, falls_, most_, -1),
+                         left_of(high, falls_, most_, 1), last);
+  }
+
+private:
+  enum class kind { none, law, cable };
+  kind kind_ = kind::none;
+  bool only_pulls_ = false;
+  Real most_{};                    // N m
+  straight_force<Real> wanted_{};  // by the law; by the cable
+  Real high_{}, low_{}, falls_{};  // lines of the motor, both ways; high: of a cable, its stretch
+};
 
 // Range of a coordinate; infinite: no stops.
 struct joint_range {
@@ -153,11 +175,27 @@ constexpr Real beyond(const joint_range& range, const Real& q) {
 inline constexpr double comes_back = 0.2;
 
 template <class Real>
-constexpr answer<Real> by_stops(const joint_range& range, const coordinate_in_step<Real>& c, const Real& dv) {
+constexpr answer<Real> by_stops(const Real& way_beyond, const coordinate_in_step<Real>& c, const Real& dv) {
   constexpr double hard = 1e6;
   const Real damping = Real(hard / c.h) * c.inertia, push = -(damping * (c.v + dv));
-  const auto holds = push * beyond(range, c.q) < Real(0.0);
+  const auto holds = push * way_beyond < Real(0.0);
   return {select(holds, push, Real(0.0)), select(holds, damping, Real(0.0))};
 }
+
+// What acts on one coordinate in one step.
+template <class Real>
+struct joint_in_step {
+  coordinate_in_step<Real> now{};
+  motor_in_step<Real> motor{};
+  straight_force<Real> soft{};  // the spring and the friction in the joint
+  Real way_beyond{};            // its stops
+
+  // With that of its motor.
+  constexpr answer<Real> at(const Real& dv, answer<Real> sum) const {
+    sum += soft.at(dv);
+    if (!everywhere(way_beyond == Real(0.0))) sum += by_stops(way_beyond, now, dv);
+    return sum;
+  }
+};
 
 }  // namespace cca::sim::detail

@@ -24,6 +24,8 @@ struct line_in_step {
   const line* of = nullptr;
   coordinate_in_step<Real> length{};  // its `v` is how fast the line grows
   coordinates growth{};               // m for each rad of a coordinate
+  straight_force<Real> force{};       // that makes it longer
+  Real stretch{}, lengthens{};        // beyond its rest where the step feels it, and by how much for dv
 
   constexpr line_in_step() = default;
   // Positions in the base; `speeds` at the beginning of the step.
@@ -55,16 +57,17 @@ struct line_in_step {
       ease = ease + growth[c] * growth[c] / inertia(c);
     }
     length.inertia = Real(1.0) / ease;
+    const Real stiffness(l.stiffness), damping(l.damping), theta = length.theta(stiffness, damping);
+    force = soft_law<Real>{Real(l.rest), Real(0.0), Real(0.0), stiffness, damping}.in(length);
+    stretch = length.position(theta, Real(0.0)) - Real(l.rest);
+    lengthens = Real(0.5 * h) * theta;
   }
 
   // The force that makes it longer (negative: it pulls).
   constexpr answer<Real> at(const Real& dv) const {
-    const answer<Real> soft =
-        soft_law<Real>{Real(of->rest), Real(0.0), Real(0.0), Real(of->stiffness), Real(of->damping)}.at(
-            length, dv);
+    const answer<Real> soft = force.at(dv);
     if (!of->only_pulls) return soft;
-    const Real theta = length.theta(Real(of->stiffness), Real(of->damping));
-    const auto pulls = length.position(theta, dv) > Real(of->rest);
+    const auto pulls = stretch + lengthens * dv > Real(0.0);
     const auto taut = soft.force < Real(0.0);
     return {select(pulls, select(taut, soft.force, Real(0.0)), Real(0.0)),
             select(pulls, select(taut, soft.slope, Real(0.0)), Real(0.0))};

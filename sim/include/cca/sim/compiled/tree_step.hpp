@@ -80,25 +80,26 @@ public:
 
   constexpr void solve(const motion& m, tree_drives<R, Real>& drives) {
     prepare(m, drives);
-    const auto free_mass = now.mass;
+    const auto free_entries = now.mass.entry;
     vector guess{};
     sides = {};
     for (std::size_t c = 0; c < n; ++c) guess[row(c)] = Real(h) * m.change[c];
     for (rounds = 1;; ++rounds) {
-      now.mass = free_mass, change = now.forces;
+      change = now.forces;
       for (std::size_t c = 0; c < n; ++c) {
         const std::size_t r = row(c);
-        const answer<Real> motor = motor_of(drives, c, guess[r], sides[c]);
+        const answer<Real> motor = joints[c].motor.at(guess[r], sides[c]);
         sides[c] = motor.side;
-        taken[c] = of_joint(c, guess[r], motor);
+        taken[c] = joints[c].at(guess[r], motor);
         change[r] = change[r] + taken[c].force + taken[c].slope * guess[r];
         now.mass.diagonal(r) = now.mass.diagonal(r) + Real(h) * taken[c].slope;
       }
       for (std::size_t i = 0; i < tree::lines.size(); ++i) take(i, guess);
       for (Real& x : change) x = Real(h) * x;
       limb_solution<R, Real>::factor_and_solve(now.mass, change);
-      if (rounds == most_rounds || holds(drives, guess)) break;
+      if (rounds == most_rounds || holds(guess)) break;
       guess = change;
+      now.mass.entry = free_entries;
     }
   }
 
@@ -112,7 +113,7 @@ public:
       m.turning_change = per_second * base.direction({smooth[0], smooth[1], smooth[2]});
     }
     for (std::size_t c = 0; c < n; ++c) {
-      drives.torque[c] = motor_of(drives, c, change[row(c)], Real(0.0)).force;
+      drives.torque[c] = joints[c].motor.at(change[row(c)], Real(0.0)).force;
       m.dq[c] = m.dq[c] + change[row(c)];
       m.change[c] = per_second * smooth[row(c)];
       if (R::drives[c].cable.stiffness > 0) drives.pulleys[c].torque = drives.torque[c];
@@ -132,33 +133,25 @@ private:
 
   constexpr void prepare(const motion& m, tree_drives<R, Real>& drives) {
     for (std::size_t c = 0; c < n; ++c) {
-      joints[c] = {h, m.q[c], m.dq[c], now.mass.diagonal(row(c))};
       const auto& d = R::drives[c];
-      if (!(d.cable.stiffness > 0)) continue;
+      const robots::joint_law& law = drives.laws[c];
+      joint_in_step<Real>& j = joints[c];
+      j.now = {h, m.q[c], m.dq[c], now.mass.diagonal(row(c))};
+      const bool winds = d.cable.stiffness > 0, holds = law.stiffness > 0;
       pulley<Real>& p = drives.pulleys[c];
-      if (drives.laws[c].stiffness > 0) p.wind(d.motor, h);
-      else p.wound = m.q[c] + Real(0.5 * h) * m.dq[c], p.speed = m.dq[c];
+      if (winds && holds) p.wind(d.motor, h);
+      else if (winds) p.wound = m.q[c] + Real(0.5 * h) * m.dq[c], p.speed = m.dq[c];
+      if (d.motor.torque > 0)
+        j.motor = winds && holds ? motor_in_step<Real>(d, p.wound - Real(0.5 * h) * p.speed, p.speed, j.now)
+                                 : motor_in_step<Real>(d, law, j.now);
+      if (d.friction > 0 || d.spring > 0)
+        j.soft =
+            soft_law<Real>{Real(d.spring_rest), Real(0.0), Real(0.0), Real(d.spring), Real(d.friction)}.in(
+                j.now);
+      if (tree::ranges[c].exists()) j.way_beyond = beyond(tree::ranges[c], m.q[c]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i)
-      lines[i] = {tree::lines[i], now.places, m.dq, [&](std::size_t c) { return joints[c].inertia; }, h};
-  }
-
-  constexpr answer<Real> motor_of(const tree_drives<R, Real>& drives,
-                                  std::size_t c,
-                                  const Real& dv,
-                                  const Real& last) const {
-    const auto& d = R::drives[c];
-    if (!(d.motor.torque > 0)) return {};
-    if (!(d.cable.stiffness > 0 && drives.laws[c].stiffness > 0))
-      return by_motor(d, drives.laws[c], joints[c], dv, last);
-    const pulley<Real>& p = drives.pulleys[c];
-    return by_cable(d, p.wound - Real(0.5 * h) * p.speed, p.speed, joints[c], dv, last);
-  }
-  constexpr answer<Real> of_joint(std::size_t c, const Real& dv, answer<Real> sum) const {
-    const auto& d = R::drives[c];
-    if (d.friction > 0 || d.spring > 0) sum += in_joint(d, joints[c], dv);
-    if (tree::ranges[c].exists()) sum += by_stops(tree::ranges[c], joints[c], dv);
-    return sum;
+      lines[i] = {tree::lines[i], now.places, m.dq, [&](std::size_t c) { return joints[c].now.inertia; }, h};
   }
 
   static constexpr std::size_t coordinate_of_line(std::size_t i, int k) {
@@ -190,7 +183,7 @@ private:
   }
 
   // Whether the forces at the change are those of the pieces that were taken.
-  constexpr bool holds(const tree_drives<R, Real>& drives, const vector& guess) const {
+  constexpr bool holds(const vector& guess) const {
     bool all = true;
     const auto check = [&](const answer<Real>& was, const Real& is, const Real& way) {
       const Real off = is - (was.force - was.slope * way), size = Real(1.0) + is * is;
@@ -198,7 +191,7 @@ private:
     };
     for (std::size_t c = 0; c < n; ++c) {
       const Real& dv = change[row(c)];
-      check(taken[c], of_joint(c, dv, motor_of(drives, c, dv, Real(0.0))).force, dv - guess[row(c)]);
+      check(taken[c], joints[c].at(dv, joints[c].motor.at(dv, Real(0.0))).force, dv - guess[row(c)]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i) {
       const Real dv = growth_of(i, change);
@@ -208,7 +201,7 @@ private:
   }
 
   double h;
-  std::array<coordinate_in_step<Real>, n> joints{};
+  std::array<joint_in_step<Real>, n> joints{};
   std::array<line_in_step<R, Real>, tree::lines.size()> lines{};
   std::array<answer<Real>, n + tree::lines.size()> taken{};
   std::array<Real, n> sides{};  // of the motors, in the last round
