@@ -17,7 +17,7 @@ CCA_INLINE constexpr void unrolled_over(F& f, std::integer_sequence<int, Index..
 // f(integral_constant 0), f(integral_constant 1), ...: inlined even if f is large.
 template <int Count, class F>
 CCA_INLINE constexpr void unrolled(F f) {
-  unrolled_over(f, std::make_integer_sequence<int, Count>{});
+  if constexpr (Count > 0) unrolled_over(f, std::make_integer_sequence<int, Count>{});
 }
 
 // f(0), f(1), ..., in a loop that stays a loop. For code that rarely runs: unrolled it would take
