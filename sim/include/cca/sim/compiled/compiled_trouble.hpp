@@ -1,7 +1,7 @@
 // Whether the motion of a compiled world can still be right: the bounds of plausible.hpp, of the bodies that
 // the engine has, in the same order.
 //
-// Sums of speeds along each branch bound the motion of all bodies. Only where these are too large, the bodies
+// A sum of the speeds of all joints bounds the motion of every body. Only where it is too large, the bodies
 // are looked at one by one.
 #pragma once
 
@@ -96,51 +96,48 @@ private:
            Real(0.5 * i[2]) * z * z + Real(i[3]) * x * y + Real(i[4]) * x * z + Real(i[5]) * y * z;
   }
 
-  // A link as its bounds need it: how far its joint is from the one before, its centre from its joint; half
-  // its mass, and of its moments at least half the largest.
-  struct reach {
-    double arm = 0, centre = 0, mass = 0, inertia = 0;
+  // Of the whole robot: how far a body's centre can be from the base, but for sliders; its mass, and of the
+  // moments of its bodies at least the largest. Of each coordinate: what its joints turn and slide together.
+  struct bounds_of_robot {
+    double reach = 0, mass = 0, inertia = 0;
+    std::array<double, static_cast<std::size_t>(tree::coordinates)> turns{}, slides{};
   };
-  static constexpr reach reach_of(const std::array<double, 3>& at, const link_inertia& of) {
-    const auto& i = of.about_centre;
-    return {span_of(at), span_of(of.centre), 0.5 * of.mass, 0.5 * (i[0] + i[1] + i[2])};
-  }
-  static constexpr auto reaches = [] {
-    std::array<reach, tree::links> all{};
+  static constexpr bounds_of_robot whole = [] {
+    bounds_of_robot all;
+    const auto add = [&](double reach, const link_inertia& of) {
+      const double far = reach + span_of(of.centre);
+      if (all.reach < far) all.reach = far;
+      all.mass += of.mass, all.inertia += of.about_centre[0] + of.about_centre[1] + of.about_centre[2];
+    };
+    if (tree::floats) add(0, base_inertia);
+    std::array<double, tree::links> reach{};
     for (std::size_t i = 0; i < tree::links; ++i) {
       const auto& l = tree::described.links[i];
-      all[i] = reach_of(l.at, l.inertia);
-      if (l.kind != joint_kind::revolute) all[i].arm += size_of(l.rest);
+      const bool turns = l.kind == joint_kind::revolute;
+      reach[i] = span_of(l.at) + (turns ? 0 : size_of(l.rest)) +
+                 (l.parent < 0 ? 0 : reach[static_cast<std::size_t>(l.parent)]);
+      add(reach[i], l.inertia);
+      (turns ? all.turns : all.slides)[static_cast<std::size_t>(l.coordinate)] += size_of(l.ratio);
     }
     return all;
   }();
 
   // What is not a number is not surely right.
   static constexpr bool is_surely_right(const motion& m, const plausible_bounds& bounds, double step) {
-    Real fastest{}, quickest{}, energy{}, places = m.at[0] + m.at[1] + m.at[2];
-    const auto look = [&](const Real& speed, const Real& turning, const reach& of) {
-      const Real most = speed + Real(of.centre) * turning;
-      fastest = larger(fastest, most), quickest = larger(quickest, turning);
-      energy = energy + (Real(of.mass) * most * most + Real(of.inertia) * turning * turning);
-    };
-    std::array<Real, tree::links> speeds, turnings;
-    const Real speed = span(m.velocity), turning = span(m.angular_velocity);
-    if constexpr (tree::floats) look(speed, turning, reach_of({}, base_inertia));
-    for (std::size_t i = 0; i < tree::links; ++i) {
-      const auto& l = tree::described.links[i];
-      const auto c = static_cast<std::size_t>(l.coordinate);
-      const bool has_parent = l.parent >= 0;
-      const auto p = static_cast<std::size_t>(has_parent ? l.parent : 0);
-      const Real own = Real(size_of(l.ratio)) * size(m.dq[c]);
-      turnings[i] = has_parent ? turnings[p] : turning;
-      speeds[i] = (has_parent ? speeds[p] : speed) + Real(reaches[i].arm) * turnings[i];
-      if (l.kind == joint_kind::revolute) turnings[i] = turnings[i] + own;
-      else speeds[i] = speeds[i] + own + Real(size_of(l.ratio)) * size(m.q[c]) * turnings[i];
-      look(speeds[i], turnings[i], reaches[i]);
+    Real turning = span(m.angular_velocity), speed = span(m.velocity), reach(whole.reach),
+         places = m.at[0] + m.at[1] + m.at[2];
+    for (std::size_t c = 0; c < m.q.size(); ++c) {
       places = places + m.q[c];
+      turning = turning + Real(whole.turns[c]) * size(m.dq[c]);
+      if (!(whole.slides[c] > 0)) continue;
+      speed = speed + Real(whole.slides[c]) * size(m.dq[c]);
+      reach = reach + Real(whole.slides[c]) * size(m.q[c]);
     }
-    return is_finite(places + energy) && !is_beyond(fastest, bounds.speed) &&
-           !is_beyond(Real(step) * quickest, bounds.turn) && !is_beyond(energy, bounds.energy);
+    speed = speed + reach * turning;
+    const Real energy =
+        Real(0.5 * whole.mass) * speed * speed + Real(0.5 * whole.inertia) * turning * turning;
+    return is_finite(places + energy) && !is_beyond(speed, bounds.speed) &&
+           !is_beyond(Real(step) * turning, bounds.turn) && !is_beyond(energy, bounds.energy);
   }
 };
 

@@ -209,11 +209,10 @@ private:
         sum = sum + x.w[r][k] * speed[static_cast<std::size_t>(way[k])];
       l.speed[r] = sum;
     }
-    for (std::size_t r = 1; r < 3; ++r) {
-      Real sum = l.speed[r];
-      for (std::size_t k = 0; k < length; ++k)
-        sum = sum - x.w[r][k] * step.change[static_cast<std::size_t>(way[k])];
-      x.slip_before[r - 1] = sum;
+    x.slip_before = {l.speed[1], l.speed[2]};
+    for (std::size_t k = 0; k < length; ++k) {
+      const Real& change = step.change[static_cast<std::size_t>(way[k])];
+      for (std::size_t r = 0; r < 2; ++r) x.slip_before[r] = x.slip_before[r] - x.w[r + 1][k] * change;
     }
     for (std::size_t k = length; k-- > 0;) {
       const auto row = static_cast<std::size_t>(way[k]);
@@ -266,11 +265,10 @@ private:
     for (std::size_t k = 0; k < count; ++k) {
       contact& x = found[k];
       const auto tip = static_cast<std::size_t>(probes::all[x.probe].tip);
-      for (std::size_t r = 1; r < 3; ++r) {
-        Real sum = laws[k].speed[r];
-        for (std::size_t i = 0; i <= static_cast<std::size_t>(tree::branches.depth[tip]); ++i)
-          sum = sum + x.w[r][i] * z[static_cast<std::size_t>(tree::branches.way[tip][i])];
-        x.slip[r - 1] = sum;
+      x.slip = {laws[k].speed[1], laws[k].speed[2]};
+      for (std::size_t i = 0; i <= static_cast<std::size_t>(tree::branches.depth[tip]); ++i) {
+        const Real& change = z[static_cast<std::size_t>(tree::branches.way[tip][i])];
+        for (std::size_t r = 0; r < 2; ++r) x.slip[r] = x.slip[r] + x.w[r + 1][i] * change;
       }
     }
     for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * root(step.now.mass.inverse[k]);
