@@ -81,11 +81,9 @@ struct gait {
 private:
   static constexpr double whole = 2 * std::numbers::pi, half = std::numbers::pi;
 
-  // Both are part of the beat: clang would call functions of this size (docs/compilers.md).
-
   // From 1, foremost, back to -1 in stance, and forward again in swing. The blended parts have equal slopes
   // where stance and swing meet: the cosine's are 0, the other's are the constant speed.
-  [[gnu::always_inline]] double sweep(double phase) const {
+  double sweep(double phase) const {
     const double landing = whole * p.duty;
     const bool in_stance = phase < landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
@@ -96,7 +94,7 @@ private:
     return cosine + p.even * (straight - cosine);
   }
 
-  [[gnu::always_inline]] double flexion(double phase, double lift) const {
+  double flexion(double phase, double lift) const {
     const double landing = whole * p.duty;
     const bool in_stance = phase <= landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
