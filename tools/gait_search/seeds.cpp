@@ -16,9 +16,11 @@
 #include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
 
 #include "../../examples/trot/report/bounds.hpp"
 #include "../../examples/trot/report/command_line.hpp"
+#include "../../examples/trot/report/engine.hpp"
 #include "../../examples/trot/report/file.hpp"
 #include "../../examples/trot/report/finished_runs.hpp"
 #include "../../examples/trot/report/json.hpp"
@@ -27,12 +29,15 @@
 
 namespace {
 
+struct compiled_trot : trot::architecture<cca::sim::compiled_oncilla> {};
+
 struct options {
   std::string config, summary;
   cca::sim::terrain ground = cca::sim::terrain::flat();
   std::uint64_t first = 0, count = 100;
   double seconds = 20;
   bool bounds = false;
+  trot::engine engine = trot::engine::ode;
 };
 
 void offer(cca::command_line& line, options& o) {
@@ -41,6 +46,7 @@ void offer(cca::command_line& line, options& o) {
   line.whole_number("--count N", o.count, 1, "how many (100)");
   line.number("--seconds S", o.seconds, 1, 3600, "of each, simulated (20)");
   trot::offer_terrain(line, o.ground);
+  trot::offer_engine(line, o.engine);
   line.text("--summary FILE", o.summary,
             "falls, speed, drift, slip and duty, of all and of each, as one JSON object");
   line.flag("--bounds", o.bounds, "ends with 1 if a run falls, is slow, slips, or stands too long or short");
@@ -49,9 +55,10 @@ void offer(cca::command_line& line, options& o) {
   });
 }
 
+template <class Trot>
 int run(const options& o) {
   const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
-  trot::trotting start;
+  cca::controller<Trot> start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
 
@@ -61,14 +68,14 @@ int run(const options& o) {
   };
   const std::vector<run_of_seed> all =
       trot::finished_runs("trot_seeds", o.count, interrupted, [&](std::size_t i) {
-        trot::trotting controller = start;
+        auto controller = start;
         const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
         return run_of_seed{o.first + i,
                            trot::evaluate(trot::roll_out(controller, o.ground, disturbance, o.seconds,
                                                          [&] { return !interrupted; }))};
       });
 
-  const double commanded = start.get<"gait">().p.duty;
+  const double commanded = start.template get<"gait">().p.duty;
   std::size_t falls = 0, beyond = 0;
   trot::json runs = trot::json::array();
   double slowest = 1e9, slowest_cruise = 1e9, most_off_duty = 0, aside = 0, roll = 0, pitch = 0,
@@ -129,6 +136,7 @@ int run(const options& o) {
   const int outcome = interrupted ? interrupted.exit_code() : o.bounds && beyond > 0 ? 1 : 0;
   if (o.summary.empty()) return outcome;
   const trot::json summary{{"seeds", all.size()},
+                           {"engine", trot::name_of(o.engine)},
                            {"falls", falls},
                            {"fall_rate", rate},
                            {"beyond_bounds", beyond},
@@ -154,5 +162,7 @@ int main(int count, char** words) {
   options o;
   cca::command_line line("the trot from many disturbances, on all cores");
   offer(line, o);
-  return cca::run_program(count, words, line, [&] { return run(o); });
+  return cca::run_program(count, words, line, [&] {
+    return o.engine == trot::engine::compiled ? run<compiled_trot>(o) : run<trot::simulated_trot>(o);
+  });
 }

@@ -32,10 +32,13 @@ inline engine engine_in(int count, const char* const* words) {
   return engine::ode;
 }
 
-inline void offer_engine(cca::command_line& line) {
-  line.one_of(
-      "--engine E", [](std::size_t) {}, engine_names,
-      "the physics: ode, the Open Dynamics Engine, or compiled (ode)");
+template <class Into>
+void offer_engine(cca::command_line& line, Into&& into) {
+  line.one_of("--engine E", into, engine_names,
+              "the physics: ode, the Open Dynamics Engine, or compiled (ode)");
+}
+inline void offer_engine(cca::command_line& line) {  // for a program that engine_in() has chosen
+  offer_engine(line, [](std::size_t) {});
 }
 
 }  // namespace trot
