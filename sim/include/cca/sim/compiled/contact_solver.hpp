@@ -21,6 +21,7 @@ namespace cca::sim::detail {
 struct contact_rounds {
   static constexpr int most = 20, of_slip = 2, of_newton = 3;
   static constexpr double settled = 1e-6;  // m/s
+  static constexpr double round = 1e-20;   // of the circle: how far from it, squared
 };
 
 // Of one contact: normal, then two tangents.
@@ -32,14 +33,19 @@ struct contact_law {
   Real give{}, bias{}, friction{};  // m/s for N s; m/s
   std::array<Real, 3> impulse{};
 
+  // Once for a step.
+  constexpr void begin() {
+    const Real one(1.0);
+    ease = {one / (own[0] + give), one / own[1], one / own[2]};
+    tied = {coupling[0] * ease[1], coupling[1] * ease[2]};
+    over = one / (own[0] + give - coupling[0] * tied[0] - coupling[1] * tied[1]);
+  }
   // Alone, with these speeds from the others.
-  constexpr std::array<Real, 3> solved(const std::array<Real, 3>& u) const {
-    const Real a = own[0] + give, need = bias - u[0];
+  constexpr std::array<Real, 3> solved(const std::array<Real, 3>& u) {
+    const Real need = bias - u[0];
     // Sticks: [a p q; p b 0; q 0 c] x = (need, -u1, -u2).
-    const Real over =
-        Real(1.0) / (a - coupling[0] * coupling[0] / own[1] - coupling[1] * coupling[1] / own[2]);
-    const Real n = over * (need + coupling[0] / own[1] * u[1] + coupling[1] / own[2] * u[2]);
-    const Real s = -(u[1] + coupling[0] * n) / own[1], t = -(u[2] + coupling[1] * n) / own[2];
+    const Real n = over * (need + tied[0] * u[1] + tied[1] * u[2]);
+    const Real s = -(ease[1] * u[1] + tied[0] * n), t = -(ease[2] * u[2] + tied[1] * n);
     const Real most = friction * larger(n, Real(0.0));
     const auto sticks = (n > Real(0.0)) & (s * s + t * t <= most * most);
     if (everywhere(sticks)) return {n, s, t};
@@ -48,45 +54,60 @@ struct contact_law {
   }
 
 private:
-  constexpr std::array<Real, 3> slipped(const std::array<Real, 3>& u, const Real& need) const {
+  std::array<Real, 3> ease{};  // 1 / own
+  std::array<Real, 2> tied{};  // coupling / own
+  Real over{}, shift{};        // shift: of the circle, in the last round
+
+  constexpr std::array<Real, 3> slipped(const std::array<Real, 3>& u, const Real& need) {
     const Real tiny(1e-100);
     Real n{}, s = impulse[1], t = impulse[2];
     for (int round = 0; round < contact_rounds::of_slip; ++round) {
-      n = larger((need - coupling[0] * s - coupling[1] * t) / (own[0] + give), Real(0.0));
+      n = larger((need - coupling[0] * s - coupling[1] * t) * ease[0], Real(0.0));
       const Real cs = u[1] + coupling[0] * n, ct = u[2] + coupling[1] * n, most = friction * n;
-      Real shift{};
-      for (int k = 0; k < contact_rounds::of_newton; ++k) {
+      Real size{};
+      for (int k = 0;; ++k) {
         const Real is = Real(1.0) / (own[1] + shift), it = Real(1.0) / (own[2] + shift);
         s = -(cs * is), t = -(ct * it);
-        const Real square = s * s + t * t, falls = s * s * is + t * t * it,
-                   length = root(larger(square, tiny));
-        const Real next =
-            shift + square / larger(falls, tiny) * ((length - most) / larger(most, Real(1e-30)));
-        shift = larger(next, Real(0.0));
+        const Real square = s * s + t * t;
+        size = root(larger(square, tiny));
+        const Real off = size - most;
+        const bool is_round = k > 0 && everywhere(off * off <= Real(contact_rounds::round) * most * most);
+        if (is_round || k == contact_rounds::of_newton) break;
+        const Real falls = s * s * is + t * t * it;
+        shift = larger(shift + square / larger(falls, tiny) * (off / larger(most, Real(1e-30))), Real(0.0));
       }
-      s = -(cs / (own[1] + shift)), t = -(ct / (own[2] + shift));
-      const Real square = s * s + t * t;
-      const Real keep = select(square > most * most, most / root(larger(square, tiny)), Real(1.0));
+      const Real keep = select(size > most, most / size, Real(1.0));
       s = s * keep, t = t * keep;
     }
     return {n, s, t};
   }
 };
 
-// `meet(k, j, r, s)`: the speed of contact k along r for a unit of impulse of contact j along s.
-template <class Real, std::size_t Most, class Meet>
-constexpr void solve_contacts(std::array<contact_law<Real>, Most>& all, std::size_t count, Meet meet) {
+// The speed of a contact along r for a unit of impulse of another one along s: [3 r + s].
+template <class Real>
+using contact_block = std::array<Real, 9>;
+
+// `meeting[k][j]`: of contact k for contact j.
+template <class Real, std::size_t Most>
+constexpr void solve_contacts(std::array<contact_law<Real>, Most>& all,
+                              std::size_t count,
+                              const std::array<std::array<contact_block<Real>, Most>, Most>& meeting) {
+  for (std::size_t k = 0; k < count; ++k) all[k].begin();
   for (int round = 1;; ++round) {
     Real change{};
     for (std::size_t k = 0; k < count; ++k) {
       contact_law<Real>& x = all[k];
-      std::array<Real, 3> u = x.speed;
+      Real u = x.speed[0], v = x.speed[1], w = x.speed[2];
+      const auto& row = meeting[k];
       for (std::size_t j = 0; j < count; ++j) {
         if (j == k) continue;
-        for (std::size_t r = 0; r < 3; ++r)
-          for (std::size_t s = 0; s < 3; ++s) u[r] = u[r] + meet(k, j, r, s) * all[j].impulse[s];
+        const contact_block<Real>& b = row[j];
+        const auto& [p, q, r] = all[j].impulse;
+        u = u + b[0] * p + b[1] * q + b[2] * r;
+        v = v + b[3] * p + b[4] * q + b[5] * r;
+        w = w + b[6] * p + b[7] * q + b[8] * r;
       }
-      const std::array<Real, 3> found = x.solved(u);
+      const std::array<Real, 3> found = x.solved({u, v, w});
       for (std::size_t r = 0; r < 3; ++r) {
         const Real off = (found[r] - x.impulse[r]) * x.own[r];
         change = larger(change, larger(off, -off));

@@ -11,8 +11,10 @@
 #include <array>
 #include <cstddef>
 
+#include <cca/base/unrolled.hpp>
 #include <cca/sim/compiled/contact_solver.hpp>
 #include <cca/sim/compiled/ground.hpp>
+#include <cca/sim/compiled/limbs/straight_loops.hpp>
 #include <cca/sim/compiled/probes.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 
@@ -57,9 +59,7 @@ public:
     find(step, under);
     if (count > 0) {
       prepare(step, m, under, last, h);
-      solve_contacts(laws, count, [this](std::size_t k, std::size_t j, std::size_t r, std::size_t s) {
-        return meeting[3 * k + r][3 * j + s];
-      });
+      solve_contacts(laws, count, meeting);
     }
     for (auto& p : last) p = {};
     if (count > 0) apply(step, last);
@@ -83,7 +83,7 @@ public:
 
 private:
   struct contact {
-    std::size_t probe = 0;
+    std::size_t probe = 0, length = 0;  // length: rows of its branch
     ground_touch<Real> touch{};
     triple<Real> world{}, axes[3]{};             // in the world
     std::array<std::array<Real, longest>, 3> w;  // D^-1/2 L^-T J^T, over the rows of its branch
@@ -93,8 +93,26 @@ private:
   constexpr void find(const tree_step<R, Real>& step, const ground& under) {
     count = 0;
     std::size_t shallow = 0;
+    const bool is_level = under.profile.is_level();
+    const triple<Real> up{step.base.axes[0][2], step.base.axes[1][2], step.base.axes[2][2]};
+    int link = -2;
+    triple<Real> rise{};  // of the link's axes
+    Real height{};        // of its origin, above the floor
     for (std::size_t i = 0; i < probes::count; ++i) {
       const probe& p = probes::all[i];
+      if (is_level) {
+        if (p.link != link) {
+          link = p.link;
+          height = step.base.at[2] - Real(under.floor), rise = up;
+          if (link >= 0) {
+            const auto& f = step.now.places[static_cast<std::size_t>(link)];
+            height = height + dot(up, f.at), rise = along(f, up);
+          }
+        }
+        const Real above =
+            height + Real(p.at[0]) * rise[0] + Real(p.at[1]) * rise[1] + Real(p.at[2]) * rise[2];
+        if (everywhere(above > Real(p.radius + 1e-9))) continue;
+      }
       const triple<Real> at = on_links<R, Real>::point(step.now.places, p.link, p.at),
                          world = step.base.at + step.base.direction(at);
       const ground_touch<Real> t = touch_of(under, world, p.radius);
@@ -148,13 +166,22 @@ private:
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t j = 0; j < k; ++j) {
         const std::size_t both = shared(probes::all[found[k].probe].tip, probes::all[found[j].probe].tip);
+        contact_block<Real>&one = meeting[k][j], &other = meeting[j][k];
+        with_common(both, found[k].w, found[j].w, one);
         for (std::size_t r = 0; r < 3; ++r)
-          for (std::size_t s = 0; s < 3; ++s) {
-            Real sum{};
-            for (std::size_t i = 0; i < both; ++i) sum = sum + found[k].w[r][i] * found[j].w[s][i];
-            meeting[3 * k + r][3 * j + s] = meeting[3 * j + s][3 * k + r] = sum;
-          }
+          for (std::size_t s = 0; s < 3; ++s) other[3 * r + s] = one[3 * s + r];
       }
+  }
+  static constexpr void with_common(std::size_t rows, const auto& a, const auto& b, contact_block<Real>& to) {
+    constexpr auto base = static_cast<std::size_t>(tree::base);
+    Real sums[9]{};
+    const auto add = [&](std::size_t i) {
+      for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t s = 0; s < 3; ++s) sums[3 * r + s] = sums[3 * r + s] + a[r][i] * b[s][i];
+    };
+    cca::detail::unrolled<tree::base>([&](auto i) { add(static_cast<std::size_t>(i())); });
+    for (std::size_t i = base; i < rows; ++i) add(i);
+    for (std::size_t k = 0; k < 9; ++k) to[k] = sums[k];
   }
 
   // Of two branches: how many rows they have in common, from the first.
@@ -186,6 +213,7 @@ private:
     const probe& p = probes::all[x.probe];
     const auto& way = of.way[static_cast<std::size_t>(p.tip)];
     const auto length = static_cast<std::size_t>(of.depth[static_cast<std::size_t>(p.tip)] + 1);
+    x.length = length;
     const triple<Real> at = along(step.base, x.world - step.base.at);
     triple<Real> d[3];
     for (std::size_t r = 0; r < 3; ++r) {
@@ -203,31 +231,54 @@ private:
           const auto k = static_cast<std::size_t>(of.depth[row]);
           for (std::size_t r = 0; r < 3; ++r) x.w[r][k] = x.w[r][k] + dot(d[r], moves);
         });
-    for (std::size_t r = 0; r < 3; ++r) {
-      Real sum{};
-      for (std::size_t k = 0; k < length; ++k)
-        sum = sum + x.w[r][k] * speed[static_cast<std::size_t>(way[k])];
-      l.speed[r] = sum;
-    }
-    x.slip_before = {l.speed[1], l.speed[2]};
-    for (std::size_t k = 0; k < length; ++k) {
-      const Real& change = step.change[static_cast<std::size_t>(way[k])];
-      for (std::size_t r = 0; r < 2; ++r) x.slip_before[r] = x.slip_before[r] - x.w[r + 1][k] * change;
-    }
-    for (std::size_t k = length; k-- > 0;) {
-      const auto row = static_cast<std::size_t>(way[k]);
-      const Real* const factor = step.now.mass.row(row);
-      for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t i = 0; i < k; ++i) x.w[r][i] = x.w[r][i] - factor[i] * x.w[r][k];
-        x.w[r][k] = x.w[r][k] * scale[row];
-      }
-    }
+    with_length<is_length>(length, [&](auto whole) {
+      constexpr auto size = static_cast<std::size_t>(whole());
+      const Real* rows[size];
+      triple<Real> before, now;
+      each_of<size>([&](std::size_t k) {
+        const auto row = static_cast<std::size_t>(way[k]);
+        rows[k] = step.now.mass.row(row);
+        const Real v = speed[row], dv = step.change[row];
+        for (std::size_t r = 0; r < 3; ++r) now[r] = now[r] + x.w[r][k] * v;
+        for (std::size_t r = 1; r < 3; ++r) before[r] = before[r] + x.w[r][k] * dv;
+      });
+      for (std::size_t r = 0; r < 3; ++r) l.speed[r] = now[r];
+      for (std::size_t r = 1; r < 3; ++r) x.slip_before[r - 1] = now[r] - before[r];
+      eliminate<size>(rows, x);
+      each_of<size>([&](std::size_t k) {
+        const Real by = scale[static_cast<std::size_t>(way[k])];
+        for (std::size_t r = 0; r < 3; ++r) x.w[r][k] = x.w[r][k] * by;
+      });
+    });
+  }
+  // w becomes L^-T w.
+  template <std::size_t Size>
+  static constexpr void eliminate(const Real* const* rows, contact& x) {
+    each_of<Size>([&](auto before) {
+      const std::size_t i = Size - 1 - static_cast<std::size_t>(before);
+      Real a = x.w[0][i], b = x.w[1][i], c = x.w[2][i];
+      each_of<Size>([&](auto less) {
+        const std::size_t k = Size - 1 - static_cast<std::size_t>(less);
+        if (k <= i) return;
+        const Real share = rows[k][i];
+        a = a - share * x.w[0][k], b = b - share * x.w[1][k], c = c - share * x.w[2][k];
+      });
+      x.w[0][i] = a, x.w[1][i] = b, x.w[2][i] = c;
+    });
   }
 
+  // The lengths that branches with probes have, in rows.
+  static constexpr auto is_length = [] {
+    std::array<bool, longest + 1> is{};
+    for (const probe& p : probes::all)
+      if (p.tip >= 0)
+        is[static_cast<std::size_t>(tree::branches.depth[static_cast<std::size_t>(p.tip)] + 1)] = true;
+    return is;
+  }();
   // Turns the tangents until an impulse along one causes no speed along the other.
   static constexpr void turn_tangents(contact& x, contact_law<Real>& l) {
     Real g[6]{};
-    for (std::size_t i = 0; i < longest; ++i) {
+    for (std::size_t i = 0; i < x.length; ++i) {
       const Real a = x.w[0][i], b = x.w[1][i], c = x.w[2][i];
       g[0] = g[0] + a * a, g[1] = g[1] + b * b, g[2] = g[2] + c * c;
       g[3] = g[3] + a * b, g[4] = g[4] + a * c, g[5] = g[5] + b * c;
@@ -244,7 +295,7 @@ private:
     turn(x.axes[1], x.axes[2]);
     turn(l.speed[1], l.speed[2]);
     turn(x.slip_before[0], x.slip_before[1]);
-    for (std::size_t i = 0; i < longest; ++i) turn(x.w[1][i], x.w[2][i]);
+    for (std::size_t i = 0; i < x.length; ++i) turn(x.w[1][i], x.w[2][i]);
     l.own = {g[0], g[1] - t * g[5], g[2] + t * g[5]};
     turn(g[3], g[4]);
     l.coupling = {g[3], g[4]};
@@ -279,7 +330,7 @@ private:
   // Without values: to write them would cost more than a step without contacts.
   std::array<contact, most> found;
   std::array<contact_law<Real>, most> laws;
-  std::array<std::array<Real, 3 * most>, 3 * most> meeting;
+  std::array<std::array<contact_block<Real>, most>, most> meeting;
 };
 
 }  // namespace cca::sim::detail

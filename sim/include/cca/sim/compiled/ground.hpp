@@ -65,7 +65,8 @@ ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radi
   if (!g.exists) return best;
   const double x = plain(at[0]);
   g.profile.strips_between(x - radius, x + radius, [&](const ground_strip& s) {
-    const double c = math::cos(s.pitch), n = math::sin(s.pitch);
+    const bool is_level = s.pitch == 0;
+    const double c = is_level ? 1 : math::cos(s.pitch), n = is_level ? 0 : math::sin(s.pitch);
     // In the plane of x and z, from the strip's edge: along it, and above it.
     const Real dx = at[0] - Real(s.edge_x), dz = at[2] - Real(g.floor + s.edge_z);
     const Real along = Real(c) * dx + Real(n) * dz, above = Real(c) * dz - Real(n) * dx;

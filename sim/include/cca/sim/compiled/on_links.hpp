@@ -23,6 +23,14 @@ struct on_links {
     return static_cast<std::size_t>(tree::branches.row[static_cast<std::size_t>(tree::base + coordinate)]);
   }
 
+  // Links whose frames here are turned as those of the description.
+  static constexpr auto is_straight = [] {
+    std::array<bool, tree::links> are{};
+    for (std::size_t i = 0; i < tree::links; ++i)
+      are[i] = tree::reduced.own[i] == cca::detail::constant33{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    return are;
+  }();
+
   static constexpr triple<Real> point(const frames& at, int link, const std::array<double, 3>& p) {
     const triple<Real> v{Real(p[0]), Real(p[1]), Real(p[2])};
     if (link < 0) return v;
@@ -35,9 +43,11 @@ struct on_links {
     placed_frame<Real> f;
     if (p.link >= 0) {
       const auto i = static_cast<std::size_t>(p.link);
-      f = at[i].turned_by(cca::detail::transposed(tree::reduced.own[i]));
+      f = at[i];
+      if (!is_straight[i]) f = f.turned_by(cca::detail::transposed(tree::reduced.own[i]));
     }
     f.at = point(at, p.link, tree::point(p));
+    if (p.where.rotation == std::array<double, 4>{0, 0, 0, 1}) return f;
     return f.turned_by(cca::detail::matrix_of(p.where.rotation));
   }
 

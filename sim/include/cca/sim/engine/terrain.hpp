@@ -40,6 +40,8 @@ struct ground_profile {
   std::int64_t count = 0;                                  // of strips after the first
 
   double height(double x) const { return strip(index_at(x)).height(x); }
+  // One level strip, at z = 0.
+  bool is_level() const { return count == 0; }
 
   // Calls f(strip) for every strip that has ground between the two places, from left to right.
   template <class F>
