@@ -47,7 +47,8 @@ struct contact_law {
     const Real n = over * (need + tied[0] * u[1] + tied[1] * u[2]);
     const Real s = -(ease[1] * u[1] + tied[0] * n), t = -(ease[2] * u[2] + tied[1] * n);
     const Real most = friction * larger(n, Real(0.0));
-    const auto sticks = (n > Real(0.0)) & (s * s + t * t <= most * most);
+    const auto presses = n > Real(0.0), holds = s * s + t * t <= most * most;
+    const auto sticks = presses & holds;
     if (everywhere(sticks)) return {n, s, t};
     const auto slipping = slipped(u, need);
     return {select(sticks, n, slipping[0]), select(sticks, s, slipping[1]), select(sticks, t, slipping[2])};

@@ -256,14 +256,12 @@ private:
   static constexpr void eliminate(const Real* const* rows, contact& x) {
     each_of<Size>([&](auto before) {
       const std::size_t i = Size - 1 - static_cast<std::size_t>(before);
-      Real a = x.w[0][i], b = x.w[1][i], c = x.w[2][i];
-      each_of<Size>([&](auto less) {
-        const std::size_t k = Size - 1 - static_cast<std::size_t>(less);
-        if (k <= i) return;
-        const Real share = rows[k][i];
-        a = a - share * x.w[0][k], b = b - share * x.w[1][k], c = c - share * x.w[2][k];
+      triple<Real> own{x.w[0][i], x.w[1][i], x.w[2][i]};
+      each_before<Size>(before, [&](std::size_t less) {
+        const std::size_t k = Size - 1 - less;
+        for (std::size_t r = 0; r < 3; ++r) own[r] = own[r] - rows[k][i] * x.w[r][k];
       });
-      x.w[0][i] = a, x.w[1][i] = b, x.w[2][i] = c;
+      for (std::size_t r = 0; r < 3; ++r) x.w[r][i] = own[r];
     });
   }
 
@@ -275,6 +273,7 @@ private:
         is[static_cast<std::size_t>(tree::branches.depth[static_cast<std::size_t>(p.tip)] + 1)] = true;
     return is;
   }();
+
   // Turns the tangents until an impulse along one causes no speed along the other.
   static constexpr void turn_tangents(contact& x, contact_law<Real>& l) {
     Real g[6]{};

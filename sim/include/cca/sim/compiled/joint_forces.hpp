@@ -144,9 +144,9 @@ public:
       return {select(slack, Real(0.0), taut.force), select(slack, Real(0.0), taut.slope),
               select(slack, Real(-1.0), taut.side)};
     }
-    if (everywhere((f <= most_) & (f <= high))) {
-      if (only_pulls_ ? everywhere(Real(0.0) <= f) : everywhere((-most_ <= f) & (-low <= f))) return wanted;
-    }
+    const auto in_high = f <= most_, in_line = f <= high;
+    const auto in_low = (only_pulls_ ? Real(0.0) : -most_) <= f, in_other = (only_pulls_ ? f : -low) <= f;
+    if (everywhere(in_high & in_line & in_low & in_other)) return wanted;
     return between_sides(wanted, only_pulls_ ? none : left_of(low, falls_, most_, -1),
                          left_of(high, falls_, most_, 1), last);
   }

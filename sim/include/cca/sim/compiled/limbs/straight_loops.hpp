@@ -15,6 +15,14 @@ constexpr void each_of(F f) {
     for (std::size_t k = 0; k < Size; ++k) f(k);
 }
 
+// The same up to what each_of<Size> has given.
+template <std::size_t Size, class Index, class F>
+constexpr void each_before(Index end, F f) {
+  if constexpr (Size <= 12) cca::detail::unrolled<end()>(f);
+  else
+    for (std::size_t k = 0; k < end; ++k) f(k);
+}
+
 // f(a constant that is `length`), if `Is` has true there.
 template <const auto& Is, class F>
 constexpr void with_length(std::size_t length, F f) {
