@@ -58,8 +58,8 @@ public:
   // Reads parameters from a file; all or nothing. While it is started, between two beats, it does no more
   // than that, and the state stays. Needs <cca/config.hpp>.
   void load(std::string_view file) {
-    static_assert(HasConfig<Self>, "cca::controller: load(file) needs #include <cca/config.hpp>");
-    config_backend<Self>::load(self(), file);
+    static_assert(has_config<Self>, "cca::controller: load(file) needs #include <cca/config.hpp>");
+    config_or_none<Self>::load(self(), file);
     if (is_legal(transition::load, now)) load();
     else tell_parameters(self());
   }
@@ -75,9 +75,9 @@ public:
   // Writes the parameters into a file. In `loaded` it saves as save() does; between two beats of a started
   // controller it does no more than that, and the state stays.
   void save(std::string_view file) {
-    static_assert(HasConfig<Self>, "cca::controller: save(file) needs #include <cca/config.hpp>");
+    static_assert(has_config<Self>, "cca::controller: save(file) needs #include <cca/config.hpp>");
     if (now == cca::state::created) check(transition::save, "save(file)");
-    config_backend<Self>::save(self(), file);
+    config_or_none<Self>::save(self(), file);
     if (now == cca::state::loaded) save();
   }
 
@@ -97,9 +97,9 @@ public:
   }
   // The same by a path that is known only at run time.
   void load(std::string_view path, std::string_view file) {
-    static_assert(HasConfig<Self>, "cca::controller: load(path, file) needs #include <cca/config.hpp>");
+    static_assert(has_config<Self>, "cca::controller: load(path, file) needs #include <cca/config.hpp>");
     check_path(path, "load");
-    config_backend<Self>::load(self(), file, path);
+    config_or_none<Self>::load(self(), file, path);
     tell_parameters(self());
     visit_loaded(path, []<class C>(C& component) {
       if constexpr (OnLoad<C>) component.on_load();
@@ -107,10 +107,10 @@ public:
     tell_parameters(self());
   }
   void save(std::string_view path, std::string_view file) {
-    static_assert(HasConfig<Self>, "cca::controller: save(path, file) needs #include <cca/config.hpp>");
+    static_assert(has_config<Self>, "cca::controller: save(path, file) needs #include <cca/config.hpp>");
     if (now == cca::state::created) check(transition::save, "save(path, file)");
     check_path(path, "save");
-    config_backend<Self>::save(self(), file, path);
+    config_or_none<Self>::save(self(), file, path);
     visit_loaded(path, []<class C>(C& component) {
       if constexpr (OnSave<C>) component.on_save();
     });

@@ -21,6 +21,32 @@ template <class Controller>
 struct config_backend;
 template <class Controller> concept HasConfig = requires { sizeof(config_backend<Controller>); };
 
+// For assertions: of a concept the requirements would be listed, too.
+template <class Controller>
+constexpr bool has_config = HasConfig<Controller>;
+
+// Without cca/config.hpp, after the message that says so.
+struct no_config {
+  static void load(const auto&...) {}
+  static void save(const auto&...) {}
+  static void set(const auto&...) {}
+  template <class Type>
+  static Type get(const auto&...) {
+    return Type();
+  }
+  static std::vector<std::string> paths(const auto&...) { return {}; }
+};
+template <class Controller>
+struct config_of {
+  using type = no_config;
+};
+template <HasConfig Controller>
+struct config_of<Controller> {
+  using type = config_backend<Controller>;
+};
+template <class Controller>
+using config_or_none = typename config_of<Controller>::type;
+
 // To a recorder, if the controller has one.
 template <class Controller>
 void tell_parameters(Controller& c) {
@@ -32,19 +58,20 @@ class parameters_by_path {
 public:
   template <class Value>
   void set(std::string_view path, const Value& value) {
-    static_assert(HasConfig<Controller>, "cca::controller: set(path, value) needs #include <cca/config.hpp>");
-    config_backend<Controller>::set(static_cast<Controller&>(*this), path, value);
+    static_assert(has_config<Controller>,
+                  "cca::controller: set(path, value) needs #include <cca/config.hpp>");
+    config_or_none<Controller>::set(static_cast<Controller&>(*this), path, value);
     tell_parameters(static_cast<Controller&>(*this));
   }
   template <class Type = std::string>
   Type parameter(std::string_view path) const {
-    static_assert(HasConfig<Controller>, "cca::controller: parameter(path) needs #include <cca/config.hpp>");
-    return config_backend<Controller>::template get<Type>(static_cast<const Controller&>(*this), path);
+    static_assert(has_config<Controller>, "cca::controller: parameter(path) needs #include <cca/config.hpp>");
+    return config_or_none<Controller>::template get<Type>(static_cast<const Controller&>(*this), path);
   }
   std::vector<std::string> parameter_paths() const {
-    static_assert(HasConfig<Controller>,
+    static_assert(has_config<Controller>,
                   "cca::controller: parameter_paths() needs #include <cca/config.hpp>");
-    return config_backend<Controller>::paths(static_cast<const Controller&>(*this));
+    return config_or_none<Controller>::paths(static_cast<const Controller&>(*this));
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <cca/base/messages/holds_or_tells.hpp>
@@ -16,6 +17,7 @@
 #include <cca/space/frame.hpp>
 #include <cca/base/joined_names.hpp>
 #include <cca/space/methods/linear.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca {
@@ -91,16 +93,34 @@ struct empty_array {
   }
 };
 
+// After its message, what is no space counts as this one.
+struct some_axis : dimension<"element"> {};
+struct some_element : space<number, axes<some_axis>> {};
+template <class Element>
+using element_of_array = std::conditional_t<Space<Element>, Element, some_element>;
+template <class Element, int Count>
+struct array_of_no_space {
+  static constexpr void tell(text& m) {
+    m << "space.bad_domain: the elements of `cca::array_of<" << type_name<Element>() << ", " << Count
+      << ">` are no space: name a struct derived from cca::space<...>; several numbers that belong together "
+         "are a space of several axes";
+  }
+};
+
+template <class Element, int Count>
+using space_of_array =
+    space<array_domain<typename Element::domain, at_least_one<Count>>,
+          typename array_axes<typename Element::axes,
+                              std::make_index_sequence<array_size(at_least_one<Count>)>>::type,
+          typename Element::rate>;
+
 }  // namespace detail
 
 template <class Element, int Count>
-struct array_of : space<array_domain<typename Element::domain, detail::at_least_one<Count>>,
-                        typename detail::array_axes<
-                            typename Element::axes,
-                            std::make_index_sequence<detail::array_size(detail::at_least_one<Count>)>>::type,
-                        typename Element::rate> {
+struct array_of : detail::space_of_array<detail::element_of_array<Element>, Count> {
+  static_assert(detail::holds_or_tells<Space<Element>, detail::array_of_no_space<Element, Count>>::value);
   static_assert(detail::holds_or_tells<(Count > 0), detail::empty_array<Element, Count>>::value);
-  using element_space = Element;
+  using element_space = detail::element_of_array<Element>;
 };
 
 }  // namespace cca

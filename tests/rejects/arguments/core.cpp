@@ -2,6 +2,7 @@
 // EXPECT no_number_of_output: space\.unknown_axis: attitude \(orientation<world> over x, y, z\) has 4 numbers over 3 axes, so none of them is that of an axis
 // EXPECT many_states: space\.unknown_axis: two_states \(status over hip, knee\) has a state along each of its axes: name one, as in `as<mood>\(hip\{\}\)`
 // EXPECT no_state: cca::status: `as<int>\(\)` reads a sample of state \(status over x\), whose numbers are states
+// EXPECT array_of_numbers: space\.bad_domain: the elements of `cca::array_of<int, 3>` are no space: name a struct derived from cca::space<\.\.\.>
 // EXPECT empty_array: space\.bad_axes: `cca::array_of<leg_angles, 0>` is to have as many elements, and an array has at least one
 // EXPECT bounds_swapped: component\.bad_parameter: the lower bound of a parameter, 5, is above its upper bound, 2\.5, so no value fits
 // EXPECT derived_without_value: component\.bad_parameter: `step` stands in a cca::derived, but states no `value`: write `using value = \.\.\.;` and a static function `of`
@@ -131,6 +132,8 @@ template <class T>
 using no_state = decltype(state_of<int>(std::declval<late<cca::sample<state>, T>>()));
 template <class T>
 using empty_array = cca::array_of<late<leg_angles, T>, 0>;
+template <class T>
+using array_of_numbers = cca::array_of<late<int, T>, 3>;
 template <class T>
 using bounds_swapped = cca::bounded<late<double, T>, 5.0, 2.5>;
 template <class T>

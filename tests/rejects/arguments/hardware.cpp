@@ -1,5 +1,8 @@
 // EXPECT two_rates: cca::hardware::robot_buses: `shoulder` \(1000000 and 5000000 bit/s\) and `elbow` \(500000 and 0 bit/s\) are on bus 0, and a bus has one rate
 // EXPECT too_many_buses: robot\.drives: 2 buses are connected, and the joints and the board of this robot are on 1: give one for each number from 0 to 0; on the last is `shoulder`, `elbow`
+// EXPECT other_bus: robot\.drives: bus 0 that is connected is of the type memory_bus<3, 16>, and the buses of this robot are of the type end_type, which stands before its joints: connect such a bus
+// EXPECT unused_bus: robot\.drives: nothing of this robot is on bus 1, but `elbow` is on bus 2: the number of a bus is its place in `connect\(bus0, bus1, \.\.\.\)`, so count them from 0 without a gap
+// EXPECT first_unused: robot\.drives: nothing of this robot is on bus 0, but `shoulder` is on bus 1
 // EXPECT ids_of_board: drive\.bad_number: a board of 2 frames with the first id 2047 has the ids up to 2048, and the last of 11 bits is 2047
 // EXPECT no_sensor: drive\.bad_number: the board at the id 256 has no sensor, so it would send nothing
 // EXPECT ids_of_oncilla: drive\.bad_number: a board of 6 frames with the first id 2043 has the ids up to 2048
@@ -29,11 +32,23 @@ struct slow_lower : cca::hardware::joint<elbow,
                                          cca::hardware::bit_rates{500'000, 0}> {};
 using both = cca::hardware::joint_list<upper, lower>;
 
+template <class Axis, std::size_t Bus>
+struct on_bus : cca::hardware::joint<Axis,
+                                     cca::hardware::cia402<motor, 3, cca::hardware::cia402_mode::torque>,
+                                     cca::hardware::mounting{.gear = 40},
+                                     cca::hardware::joint_servo{.stiffness = 20},
+                                     Bus> {};
+
 namespace broken {
 
 template <class Synchronizer>
 auto connect_two(Synchronizer& all, bus& one) {
   return all.connect(one, one);
+}
+
+template <class Synchronizer, class Wire>
+auto connect_wire(Synchronizer& all, Wire& one) {
+  return all.connect(one);
 }
 
 template <class T>
@@ -46,6 +61,19 @@ using too_many_buses = std::is_void<decltype(connect_two(
     std::declval<
         late<cca::hardware::drive_synchronizer<bus, cca::hardware::no_board, both, cca::rate<1000>>, T>&>(),
     std::declval<bus&>()))>;
+template <class T>
+using other_bus = std::is_void<decltype(connect_wire(
+    std::declval<
+        late<cca::hardware::drive_synchronizer<bus, cca::hardware::no_board, both, cca::rate<1000>>, T>&>(),
+    std::declval<cca::hardware::memory_bus<3, 16>&>()))>;
+template <class T>
+using unused_bus = cca::hardware::robot_buses<cca::rate<1000>,
+                                              late<cca::hardware::no_board, T>,
+                                              cca::hardware::joint_list<upper, on_bus<elbow, 2>>>;
+template <class T>
+using first_unused = cca::hardware::robot_buses<cca::rate<1000>,
+                                                late<cca::hardware::no_board, T>,
+                                                cca::hardware::joint_list<on_bus<shoulder, 1>>>;
 template <class T>
 using ids_of_board = cca::hardware::robot_board<2047, sizeof(late<char, T>), 0>;
 template <class T>

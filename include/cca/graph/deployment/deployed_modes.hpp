@@ -56,14 +56,13 @@ inline constexpr heard_count heard_count_of<deployed_mode<D, I>> =
     heard_count_of<typename deployed_mode<D, I>::cca_architecture>;
 
 template <class D, int I>
-inline constexpr deployment_placement placement_of_mode{
-    environments_of<deployed_mode<D, I>>::all.data(), environment_count<deployed_mode<D, I>>,
-    &facts_of_deployment<deployed_mode<D, I>>, &modes_of<typename D::cca_architecture>::value};
+inline constexpr const modes_info* set_of_mode<deployed_mode<D, I>> =
+    &modes_of<typename D::cca_architecture>::value;
 template <class D, int I>
 inline constexpr flat_of<deployed_mode<D, I>> plan_of<deployed_mode<D, I>> =
     then<deployed_mode<D, I>>(plan_in_set<typename D::cca_architecture, I>(), [](flat_view g) {
       g.scopes[0].graph = &graph_facts<deployed_mode<D, I>>::value;
-      return place_components(g, placement_of_mode<D, I>);
+      return place_components(g, placement_of<deployed_mode<D, I>>);
     });
 
 template <DeploymentOfModes D, int I, class Item>
@@ -87,7 +86,7 @@ inline constexpr deployment_info facts_of_all = [] {
 }();
 template <DeploymentOfModes D>
 inline constexpr deployment_placement placement_of_all{environments_of<D>::all.data(), environment_count<D>,
-                                                       &facts_of_all<D>};
+                                                       &facts_of_all<D>, nullptr};
 template <DeploymentOfModes D>
 struct told_of<D> {
   using rules = deployment_rules::type;

@@ -196,16 +196,19 @@ struct deployment_placement : hung_facts {
   constexpr deployment_placement(const environment_info* first,
                                  int number,
                                  const deployment_info* of,
-                                 const modes_info* whole_set = nullptr)
+                                 const modes_info* whole_set)
       : environments(first), count(number), deployment(of), modes(whole_set) {}
   const environment_info* environments;
   int count;
   const deployment_info* deployment;
   const modes_info* modes;  // the whole set, where the plan is that of one mode
 };
+// The whole set, if D is one mode of a deployment of modes.
+template <class D>
+inline constexpr const modes_info* set_of_mode = nullptr;
 template <Deployment D>
 inline constexpr deployment_placement placement_of{environments_of<D>::all.data(), environment_count<D>,
-                                                   &facts_of_deployment<D>};
+                                                   &facts_of_deployment<D>, set_of_mode<D>};
 
 // Of a plan that is spread over environments.
 constexpr const deployment_placement& placement_in(const flat_view& g) {

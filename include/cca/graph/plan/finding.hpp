@@ -27,6 +27,7 @@ struct finding {
   bool at_reader = false;                   // the end of a wire: its reader or its writer
   bool is_opposite = false;                 // this end of a wire is a port of the opposite direction
   bool is_reversed = false;                 // and the other end too
+  bool is_told = false;                     // an error of the type itself says it
 
   constexpr bool is_broken() const { return !rule.empty(); }
 };

@@ -72,6 +72,7 @@ struct graph_info {
   graph_sizes sizes;
   void (*refuse_as_node)(flat_view&, const finding&) = nullptr;  // of a type that is no inner graph
   wires_of inner = wires_of::nobody;
+  void (*refuse)(flat_view&, int scope) = nullptr;  // of a type that has refused itself
 };
 
 template <class Graph>
@@ -298,6 +299,10 @@ constexpr wires_of inner_wires_in() {
   else return wires_of::nobody;
 }
 
+// Of a graph that has refused itself: planning/steps/flatten.hpp.
+template <class Graph>
+struct refused_by_itself;
+
 template <class Graph>
 struct graph_facts {
   using facts = items_facts<typename Graph::cca_items>;
@@ -306,7 +311,8 @@ struct graph_facts {
                                     facts::count,
                                     sizes_of(facts::items.data(), facts::count),
                                     nullptr,
-                                    inner_wires_in<Graph>()};
+                                    inner_wires_in<Graph>(),
+                                    refused_by_itself<Graph>::in_graph};
 };
 
 }  // namespace cca::detail

@@ -11,6 +11,7 @@
 #include <array>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <cca/graph/diagnosis/as_written.hpp>
@@ -111,8 +112,15 @@ template <class Graph>
 struct said_of_graph {
   static constexpr std::string_view view() { return report_of<Graph>.message.view(); }
 };
+// Whether an error of a type in the graph has said it already; then the refusal prints nothing.
 template <class Graph>
-using refusal = printed<said_of_graph<Graph>>;
+consteval bool is_told() {
+  using type = typename diagnosed<Graph>::type;
+  if constexpr (has_plan<type>) return counts_of<type>.found.is_told;
+  else return false;
+}
+template <class Graph>
+using refusal = std::conditional_t<is_told<Graph>(), report, printed<said_of_graph<Graph>>>;
 
 }  // namespace detail
 

@@ -37,32 +37,32 @@ public:
   }
   template <class Value>
   bool set(std::string_view path, const Value& value) {
-    static_assert(HasConfig<shadows>, "cca::live_access: set(path, value) needs #include <cca/config.hpp>");
+    static_assert(has_config<shadows>, "cca::live_access: set(path, value) needs #include <cca/config.hpp>");
     return request(asked::parameters, node_of_parameter(path),
-                   [&] { config_backend<shadows>::set(known, path, value); });
+                   [&] { config_or_none<shadows>::set(known, path, value); });
   }
   // All parameters that a file names: of each loop in one beat.
   // With a path: of one component, or of those of an inner graph.
   bool load(std::string_view file, std::string_view path = {}) {
-    static_assert(HasConfig<shadows>, "cca::live_access: load(file) needs #include <cca/config.hpp>");
+    static_assert(has_config<shadows>, "cca::live_access: load(file) needs #include <cca/config.hpp>");
     return request(asked::parameters, loops_at(path, "load"),
-                   [&] { config_backend<shadows>::load(known, file, path); });
+                   [&] { config_or_none<shadows>::load(known, file, path); });
   }
   // Writes them as they are known here, in this thread.
   bool save(std::string_view file, std::string_view path = {}) {
-    static_assert(HasConfig<shadows>, "cca::live_access: save(file) needs #include <cca/config.hpp>");
+    static_assert(has_config<shadows>, "cca::live_access: save(file) needs #include <cca/config.hpp>");
     loops_at(path, "save");
     if (!mailbox.claim()) return false;
     const given_back at_the_end{mailbox};
-    config_backend<shadows>::save(known, file, path);
+    config_or_none<shadows>::save(known, file, path);
     return true;
   }
   // As they are known here. Empty: busy.
   std::optional<std::string> parameter(std::string_view path) {
-    static_assert(HasConfig<shadows>, "cca::live_access: parameter(path) needs #include <cca/config.hpp>");
+    static_assert(has_config<shadows>, "cca::live_access: parameter(path) needs #include <cca/config.hpp>");
     if (!mailbox.claim()) return {};
     const given_back at_the_end{mailbox};
-    return config_backend<shadows>::template get<std::string>(known, path);
+    return config_or_none<shadows>::template get<std::string>(known, path);
   }
 
   // A part: a node with the strategy `stoppable`.

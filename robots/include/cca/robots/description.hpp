@@ -126,45 +126,43 @@ using lacking = members_missing<R,
                                 requires { typename R::commands; },
                                 requires { R::drives.size(); }>;
 
+// The first mistake as the type of its sentence; void: none.
 template <class R>
-constexpr void check_masses() {
-  using body = typename R::body;
-  static_assert(cca::detail::holds_or_tells<(massless_link<body> < 0), link_without_mass<R>>::value);
-  static_assert(cca::detail::holds_or_tells<(!floats<R> || (cca::detail::base_inertia_of<body>().mass > 0)),
-                                            base_without_mass<R>>::value);
-}
-
-template <class R>
-constexpr void check_places() {
-  using body = typename R::body;
+constexpr auto mistake_of_places() {
   using sensors = robots::sensors_of<R>;
-  static_assert(cca::detail::holds_or_tells<(lost_shape<R> < 0), shape_on_nothing<R>>::value);
-  static_assert(cca::detail::holds_or_tells<(lost_spring<R> < 0), spring_on_nothing<R>>::value);
-  static_assert(
-      cca::detail::holds_or_tells<all_parts_exist<body>(sensors()), sensor_on_nothing<R, sensors>>::value);
+  if constexpr (lost_shape<R> >= 0) return std::type_identity<shape_on_nothing<R>>();
+  else if constexpr (lost_spring<R> >= 0) return std::type_identity<spring_on_nothing<R>>();
+  else if constexpr (!all_parts_exist<typename R::body>(sensors()))
+    return std::type_identity<sensor_on_nothing<R, sensors>>();
+  else return std::type_identity<void>();
 }
+template <class R, bool HasMasses>
+constexpr auto mistake_of_masses() {
+  using body = typename R::body;
+  if constexpr (!HasMasses) return mistake_of_places<R>();
+  else if constexpr (massless_link<body> >= 0) return std::type_identity<link_without_mass<R>>();
+  else if constexpr (floats<R> && !(cca::detail::base_inertia_of<body>().mass > 0))
+    return std::type_identity<base_without_mass<R>>();
+  else return mistake_of_places<R>();
+}
+template <class R, bool HasMasses>
+constexpr auto mistake_of_description() {
+  if constexpr (!Described<R>) return std::type_identity<lacking<R>>();
+  else if constexpr (R::drives.size() != static_cast<std::size_t>(axes_of_robot<R>::count))
+    return std::type_identity<wrong_drive_count<R>>();
+  else if constexpr (unmeasured_motor<R> >= 0) return std::type_identity<motor_not_measured<R>>();
+  else if constexpr (!groups_exist<measured_axes_of<R>>(typename R::commands()) || !readings_exist<R>())
+    return std::type_identity<port_over_other_axis<R, measured_axes_of<R>>>();
+  else if constexpr (!command_once(typename R::commands())) return std::type_identity<commanded_twice<R>>();
+  else return mistake_of_masses<R, HasMasses>();
+}
+template <class R, bool HasMasses>
+using description_mistake = typename decltype(mistake_of_description<R, HasMasses>())::type;
 
 template <class R, bool HasMasses>
 constexpr bool check() {
-  static_assert(cca::detail::holds_or_tells<Described<R>, lacking<R>>::value);
-  if constexpr (Described<R>) {
-    constexpr bool drives = R::drives.size() == static_cast<std::size_t>(axes_of_robot<R>::count);
-    static_assert(cca::detail::holds_or_tells<drives, wrong_drive_count<R>>::value);
-    if constexpr (drives) {
-      constexpr bool measured = unmeasured_motor<R> < 0;
-      static_assert(cca::detail::holds_or_tells<measured, motor_not_measured<R>>::value);
-      if constexpr (measured) {
-        using all = measured_axes_of<R>;
-        static_assert(
-            cca::detail::holds_or_tells<(groups_exist<all>(typename R::commands()) && readings_exist<R>()),
-                                        port_over_other_axis<R, all>>::value);
-        static_assert(
-            cca::detail::holds_or_tells<command_once(typename R::commands()), commanded_twice<R>>::value);
-        if constexpr (HasMasses) check_masses<R>();
-        check_places<R>();
-      }
-    }
-  }
+  using mistake = description_mistake<R, HasMasses>;
+  static_assert(cca::detail::holds_or_tells<std::is_void_v<mistake>, mistake>::value);
   return true;
 }
 

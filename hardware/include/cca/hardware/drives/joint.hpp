@@ -21,6 +21,7 @@
 #include <limits>
 #include <numbers>
 #include <string_view>
+#include <type_traits>
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/hardware/drives/drive.hpp>
@@ -234,6 +235,38 @@ struct other_count_of_buses {
     (one(J::bus == last, J::axis::name), ...);
   }
 };
+// The same of a bus of another type.
+template <class Bus, class... Given>
+struct other_type_of_bus {
+  static constexpr bool none = (std::is_convertible_v<Given*, Bus*> && ...);
+  static constexpr void tell(auto& m) {
+    std::int64_t number = -1;
+    (void)((++number, one<Given>(m, number)) || ...);
+  }
+
+private:
+  template <class One>
+  static constexpr bool one(auto& m, std::int64_t number) {
+    if (std::is_convertible_v<One*, Bus*>) return false;
+    m << "robot.drives: bus " << number << " that is connected is of the type "
+      << cca::detail::type_name<One>() << ", and the buses of this robot are of the type "
+      << cca::detail::type_name<Bus>()
+      << ", which stands before its joints: connect such a bus, or state the other type there";
+    return true;
+  }
+};
+
+template <class Bus, class Board, class Joints, class... Given>
+constexpr bool fit_connected = false;
+template <class Bus, class Board, class... J, class... Given>
+constexpr bool fit_connected<Bus, Board, joint_list<J...>, Given...> = [] {
+  constexpr bool all_given = sizeof...(Given) == 1 + std::max({Board::bus, J::bus...});
+  using count = other_count_of_buses<sizeof...(Given), Board, J...>;
+  using types = other_type_of_bus<Bus, Given...>;
+  static_assert(cca::detail::holds_or_tells<all_given, count>::value);
+  static_assert(cca::detail::holds_or_tells<(types::none || !all_given), types>::value);
+  return all_given && types::none;
+}();
 
 }  // namespace detail
 

@@ -21,7 +21,7 @@ namespace cca::hardware {
 
 template <class Bus, class... Drives>
 struct oncilla : detail::unchecked_robot<robots::oncilla::as_built, Bus, Drives...> {
-  static_assert(detail::robot_check<robots::oncilla::as_built, Drives...>::shown);
+  static_assert(detail::robot_check<robots::oncilla::as_built, Bus, Drives...>::value);
 };
 
 }  // namespace cca::hardware

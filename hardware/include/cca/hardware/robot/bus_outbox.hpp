@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 
+#include <cca/base/refused.hpp>
 #include <cca/hardware/bus/can_bus.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
 #include <cca/hardware/safety/link_supervisor.hpp>
@@ -31,7 +33,16 @@ public:
   std::array<link_supervisor<3>, Buses> links{};
   std::array<bool, Buses> moves{}, has_sent{};
 
-  void connect(const std::array<Bus*, Buses>& all) { ends = all; }
+  // Refuses one bus for two numbers: the first would take the frames of both.
+  void connect(const std::array<Bus*, Buses>& all) {
+    for (std::size_t b = 0; b < Buses; ++b)
+      for (std::size_t a = 0; a < b; ++a)
+        if (all[a] == all[b])
+          throw refused("robot.drives: bus " + std::to_string(a) + " and bus " + std::to_string(b) +
+                        " that are connected are the same bus: connect one for each number, or give the "
+                        "joints on it one number");
+    ends = all;
+  }
   Bus* end(std::size_t b) const { return ends[b]; }
 
   void clear() {

@@ -12,6 +12,7 @@
 
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/type_name.hpp>
+#include <cca/hardware/bus/can_bus.hpp>
 #include <cca/hardware/robot/boards/board_facts.hpp>
 #include <cca/hardware/robot/boards/no_board.hpp>
 #include <cca/hardware/robot/joints_of.hpp>
@@ -158,27 +159,32 @@ constexpr auto mistake_of_drives() {
   }
 }
 
-template <class R, class... Drives>
+// The type of the buses stands first.
+template <class R, class Bus>
+struct no_bus {
+  static constexpr void tell(auto& m) {
+    m << "robot.drives: " << type_name<Bus>() << ", which stands before the joints of " << type_name<R>()
+      << ", is no CAN bus: write the type of its buses there, as in cca::hardware::robot<" << type_name<R>()
+      << ", cca::hardware::socket_can, ...>";
+  }
+};
+
+template <class R, class Bus, class... Drives>
+constexpr auto mistake_of_robot() {
+  using described = decltype(robots::detail::mistake_of_description<R, false>());
+  if constexpr (!std::is_void_v<typename described::type>) return described();
+  else if constexpr (!CanBus<Bus>) return std::type_identity<no_bus<R, Bus>>();
+  else return mistake_of_drives<R, Drives...>();
+}
+
+template <class R, class Bus, class... Drives>
 struct drives_of_robot {
-  static_assert(robots::check_without_masses<R>());
   using joints = joints_before_board<Drives...>;
   using board = board_of<Drives...>;
-  using mistake = typename decltype(mistake_of_drives<R, Drives...>())::type;
+  using mistake = typename decltype(mistake_of_robot<R, Bus, Drives...>())::type;
 };
 // The joints as one list.
-template <class R, class... J, class... Board>
-struct drives_of_robot<R, joint_list<J...>, Board...> : drives_of_robot<R, J..., Board...> {};
-
-// What a robot asserts itself: from inside of holds_or_tells its output would be longer.
-template <class Mistake, bool IsWhole = cca::detail::prints_whole_texts>
-struct no_mistake : cca::detail::as_bool<cca::detail::printed<cca::detail::told<Mistake>>> {};
-template <class Mistake>
-struct no_mistake<Mistake, true> {
-  static constexpr bool shown = cca::detail::holds_or_tells<std::is_void_v<Mistake>, Mistake>::value;
-};
-template <>
-struct no_mistake<void, false> {
-  static constexpr bool shown = true;
-};
+template <class R, class Bus, class... J, class... Board>
+struct drives_of_robot<R, Bus, joint_list<J...>, Board...> : drives_of_robot<R, Bus, J..., Board...> {};
 
 }  // namespace cca::hardware::detail

@@ -84,11 +84,7 @@ public:
 
   template <class... Buses>
   void connect(Buses&... all) {
-    constexpr bool all_given = sizeof...(Buses) == buses;
-    static_assert(
-        cca::detail::holds_or_tells<all_given,
-                                    detail::other_count_of_buses<sizeof...(Buses), Board, J...>>::value);
-    if constexpr (all_given) outbox.connect({&all...});
+    if constexpr (detail::fit_connected<Bus, Board, joints, Buses...>) outbox.connect({&all...});
   }
 
   // While a bus is away or still holds frames, and until a stop has come to its end, this waits.
@@ -236,6 +232,8 @@ private:
   // A step of enabling.
   void bring_up() {
     if (phase_now != motion_phase::enabling || stopping()) return;
+    if (!outbox.end(0))
+      return refuse({.why = safety_rule::enabling, .missing = "no bus is connected: call `connect` first"});
     outbox.clear();
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       // One step at a time, and none after frames that wait.

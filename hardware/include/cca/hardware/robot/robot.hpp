@@ -25,16 +25,21 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
+#include <cca/hardware/bus/can_bus.hpp>
 #include <cca/hardware/robot/boards/load_board.hpp>
+#include <cca/hardware/robot/boards/no_board.hpp>
 #include <cca/hardware/robot/drive_checks.hpp>
 #include <cca/hardware/robot/robot_nodes.hpp>
 #include <cca/hardware/robot/robot_synchronizer.hpp>
 #include <cca/hardware/robot/safety_chain.hpp>
 #include <cca/hardware/robot/shut_down.hpp>
+#include <cca/hardware/safety/emergency_stop.hpp>
 #include <cca/robots/ports.hpp>
 
 namespace cca::hardware {
@@ -57,11 +62,61 @@ using robot_on_drives = robots::graph_of_robot<R,
                                                safety_wires<"synchronizer">,
                                                safety_readings<"synchronizer">>;
 
-// After a mistake there is no graph, so that nothing else is reported.
+// After a mistake in its description, its joints or its board a robot has what programs ask for between runs,
+// so that the sentence of the mistake is the only error.
+
+// Carries nothing.
+struct refused_bus {
+  send_result send(std::span<const can_frame>) noexcept { return {}; }
+  std::size_t receive(std::span<received_frame>) noexcept { return 0; }
+  bus_state state() const noexcept { return {}; }
+  bus_counters counters() const noexcept { return {}; }
+  std::uint64_t in_flight() const noexcept { return 0; }
+};
+
+template <class Usable, class Joints>
+struct first_of_each_axis;
+template <class... Usable>
+struct first_of_each_axis<joint_list<Usable...>, joint_list<>> {
+  using type = joint_list<Usable...>;
+};
+template <class... Usable, class J, class... More>
+struct first_of_each_axis<joint_list<Usable...>, joint_list<J, More...>> {
+  static constexpr bool is_usable = [] {
+    if constexpr (ListedJoint<J>) return !(std::is_same_v<typename J::axis, typename Usable::axis> || ...);
+    else return false;
+  }();
+  using usable = std::conditional_t<is_usable, joint_list<Usable..., J>, joint_list<Usable...>>;
+  using type = typename first_of_each_axis<usable, joint_list<More...>>::type;
+};
+template <class Joints>
+using usable_joints = typename first_of_each_axis<joint_list<>, Joints>::type;
+
+template <class Joints>
+struct refused_synchronizer : drive_synchronizer<refused_bus, no_board, Joints> {
+  template <class... Buses>
+  void connect(Buses&...) {}
+};
+
+template <class Joints>
+struct refused_graph {
+  using type = graph<node<"synchronizer", refused_synchronizer<Joints>>,
+                     node<"emergency_stop", emergency_stop<Joints>>>;
+};
+template <>
+struct refused_graph<joint_list<>> {
+  using type = graph<>;
+};
+
 template <class R, class Bus, class Drives, class Mistake = typename Drives::mistake>
 struct robot_parts {
-  using type = graph<>;
-  struct parts {};
+  struct parts {
+    using description = R;
+    using joints = usable_joints<typename Drives::joints>;
+    using board = no_board;
+    using cca_refused_by = Mistake;
+  };
+  using type = typename refused_graph<typename parts::joints>::type;
 };
 template <class R, class Bus, class Drives>
 struct robot_parts<R, Bus, Drives, void> {
@@ -77,17 +132,19 @@ struct robot_parts<R, Bus, Drives, void> {
 };
 
 template <class R, class Bus, class... Drives>
-struct unchecked_robot : robot_parts<R, Bus, drives_of_robot<R, Drives...>>::type,
-                         robot_parts<R, Bus, drives_of_robot<R, Drives...>>::parts {};
+struct unchecked_robot : robot_parts<R, Bus, drives_of_robot<R, Bus, Drives...>>::type,
+                         robot_parts<R, Bus, drives_of_robot<R, Bus, Drives...>>::parts {};
 
-template <class R, class... Drives>
-using robot_check = no_mistake<typename drives_of_robot<R, Drives...>::mistake>;
+template <class R, class Bus, class... Drives>
+using robot_check =
+    cca::detail::holds_or_tells<std::is_void_v<typename drives_of_robot<R, Bus, Drives...>::mistake>,
+                                typename drives_of_robot<R, Bus, Drives...>::mistake>;
 
 }  // namespace detail
 
 template <class R, class Bus, class... Drives>
 struct robot : detail::unchecked_robot<R, Bus, Drives...> {
-  static_assert(detail::robot_check<R, Drives...>::shown);
+  static_assert(detail::robot_check<R, Bus, Drives...>::value);
 };
 
 }  // namespace cca::hardware

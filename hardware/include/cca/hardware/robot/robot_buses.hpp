@@ -85,6 +85,29 @@ struct bus_check<Bus, Rate, Board, joint_list<J...>> {
   }
 };
 
+// A number is the place of a bus in `connect`.
+template <class Board, class... J>
+struct bus_without_users {
+  static constexpr std::size_t last = std::max({Board::bus, J::bus...});
+  static constexpr bool is_used(std::size_t bus) {
+    return (bus == Board::bus && !Board::traffic.empty()) || ((bus == J::bus) || ...);
+  }
+  static constexpr std::size_t first = [] {
+    std::size_t bus = 0;
+    while (is_used(bus)) ++bus;
+    return bus;
+  }();
+  static constexpr bool none = first > last;
+  static constexpr void tell(cca::detail::text& m) {
+    m << "robot.drives: nothing of this robot is on bus " << static_cast<std::int64_t>(first) << ", but ";
+    if (Board::bus == last && !Board::traffic.empty()) m << "its board";
+    else (void)((J::bus == last && (m << "`" << J::axis::name << "`", true)) || ...);
+    m << " is on bus " << static_cast<std::int64_t>(last)
+      << ": the number of a bus is its place in `connect(bus0, bus1, ...)`, so count them from 0 without a "
+         "gap";
+  }
+};
+
 template <class Buses, std::size_t... Bus>
 constexpr auto check_plans(std::index_sequence<Bus...>) {
   return std::bool_constant<(decltype(check_plan<typename Buses::template check<Bus>>())::value && ...)>();
@@ -101,6 +124,8 @@ struct robot_buses<Rate, Board, joint_list<J...>> {
   template <std::size_t Bus>
   using check = detail::bus_check<Bus, Rate, Board, joint_list<J...>>;
 
+  static_assert(cca::detail::holds_or_tells<detail::bus_without_users<Board, J...>::none,
+                                            detail::bus_without_users<Board, J...>>::value);
   using sound = decltype(detail::check_plans<robot_buses>(std::make_index_sequence<count>()));
 
   template <std::size_t Bus>

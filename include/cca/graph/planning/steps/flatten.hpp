@@ -2,13 +2,37 @@
 // table of names. Asks the rules about what a component shows by itself.
 #pragma once
 
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
+#include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/graph/diagnosis/rules/check.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {
+
+// A graph with a mistake of its own states the sentence as `cca_refused_by`, and asserts it (holds_or_tells).
+// The graphs around it are refused by the same sentence, and print nothing.
+template <class Graph>
+struct refused_by_itself {
+  static constexpr void (*in_graph)(flat_view&, int) = nullptr;
+};
+template <class Graph>
+  requires(!std::is_void_v<typename Graph::cca_refused_by>)
+struct refused_by_itself<Graph> {
+  static constexpr std::string_view sentence = told<typename Graph::cca_refused_by>::view();
+  static constexpr std::string_view rule = sentence.substr(0, sentence.find(':'));
+
+  static constexpr void in_graph(flat_view& g, int scope) {
+    if (!g.found.is_broken()) g.found = {.rule = rule, .scope = scope, .tell = &tell, .is_told = true};
+  }
+  static constexpr void tell(message_writer& m) {
+    add_scope_path(m.where, m.g, m.found().scope);
+    m.say() << sentence.substr(rule.size() + 2);
+  }
+};
 
 struct flattener {
   flat_view g;
@@ -123,6 +147,7 @@ struct flattener {
       const graph_info& graph, int parent, ref<item_info> item, std::uint64_t scope_hash, int own_part = -1) {
     const int index = g.scope_count++;
     g.scopes[index] = {parent, item, &graph, scope_hash, own_part};
+    if (graph.refuse) graph.refuse(g, index);
     for (int i = 0; i < graph.count; ++i) {
       const auto& part = graph.items[i];
       const finding facts{.item = &part, .scope = index};
