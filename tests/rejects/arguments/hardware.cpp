@@ -1,6 +1,6 @@
 // EXPECT two_rates: cca::hardware::robot_buses: `shoulder` \(1000000 and 5000000 bit/s\) and `elbow` \(500000 and 0 bit/s\) are on bus 0, and a bus has one rate
 // EXPECT too_many_buses: robot\.drives: 2 buses are connected, and the joints and the board of this robot are on 1: give one for each number from 0 to 0; on the last is `shoulder`, `elbow`
-// EXPECT other_bus: robot\.drives: bus 0 that is connected is of the type memory_bus<3, 16>, and the buses of this robot are of the type end_type, which stands before its joints: connect such a bus
+// EXPECT other_bus: robot\.drives: bus 0 that is connected is of the type memory_bus<3[^>]*>, and the buses of this robot are of the type end_type, which stands before its joints: connect such a bus
 // EXPECT unused_bus: robot\.drives: nothing of this robot is on bus 1, but `elbow` is on bus 2: the number of a bus is its place in `connect\(bus0, bus1, \.\.\.\)`, so count them from 0 without a gap
 // EXPECT first_unused: robot\.drives: nothing of this robot is on bus 0, but `shoulder` is on bus 1
 // EXPECT ids_of_board: drive\.bad_number: a board of 2 frames with the first id 2047 has the ids up to 2048, and the last of 11 bits is 2047

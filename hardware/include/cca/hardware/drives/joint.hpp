@@ -257,16 +257,17 @@ private:
 };
 
 template <class Bus, class Board, class Joints, class... Given>
-constexpr bool fit_connected = false;
+struct mistake_of_buses;
 template <class Bus, class Board, class... J, class... Given>
-constexpr bool fit_connected<Bus, Board, joint_list<J...>, Given...> = [] {
-  constexpr bool all_given = sizeof...(Given) == 1 + std::max({Board::bus, J::bus...});
-  using count = other_count_of_buses<sizeof...(Given), Board, J...>;
+struct mistake_of_buses<Bus, Board, joint_list<J...>, Given...> {
   using types = other_type_of_bus<Bus, Given...>;
-  static_assert(cca::detail::holds_or_tells<all_given, count>::value);
-  static_assert(cca::detail::holds_or_tells<(types::none || !all_given), types>::value);
-  return all_given && types::none;
-}();
+  static constexpr bool all_given = sizeof...(Given) == 1 + std::max({Board::bus, J::bus...});
+  static constexpr bool none = all_given && types::none;
+  static constexpr void tell(auto& m) {
+    if (all_given) types::tell(m);
+    else other_count_of_buses<sizeof...(Given), Board, J...>::tell(m);
+  }
+};
 
 }  // namespace detail
 

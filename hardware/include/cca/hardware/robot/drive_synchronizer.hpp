@@ -84,7 +84,9 @@ public:
 
   template <class... Buses>
   void connect(Buses&... all) {
-    if constexpr (detail::fit_connected<Bus, Board, joints, Buses...>) outbox.connect({&all...});
+    using mistake = detail::mistake_of_buses<Bus, Board, joints, Buses...>;
+    static_assert(cca::detail::holds_or_tells<mistake::none, mistake>::value);
+    if constexpr (mistake::none) outbox.connect({&all...});
   }
 
   // While a bus is away or still holds frames, and until a stop has come to its end, this waits.
