@@ -18,7 +18,9 @@
 #include <cca/main/run_program.hpp>
 #include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
 
+#include "../trot/report/engine.hpp"
 #include "../trot/report/file.hpp"
 #include "../trot/report/finished_runs.hpp"
 #include "command_line.hpp"
@@ -27,11 +29,14 @@
 
 namespace {
 
+struct compiled_skills : skills::architecture<cca::sim::compiled_oncilla> {};
+
 struct options {
   std::string shape = "trot.shape", summary;
   std::optional<std::string> config;
   std::uint64_t first = 0, count = 10;
   skills::circumstances run;
+  trot::engine engine = trot::engine::ode;
 };
 
 void offer(cca::command_line& line, options& o) {
@@ -41,6 +46,7 @@ void offer(cca::command_line& line, options& o) {
   line.whole_number("--count N", o.count, 1, "how many (10)");
   skills::offer_push(line, o.run);
   skills::offer_seconds(line, o.run, "of trot, before and after (6)");
+  trot::offer_engine(line, o.engine);
   line.text("--summary FILE", o.summary, "the figures as JSON: a list of runs");
   cca::offer_descriptions<skills::combined>(line, [&o](skills::combined& c) {
     skills::name_shape(c, o.shape);
@@ -114,8 +120,9 @@ void print(const std::vector<skills::finished_run>& runs) {
       static_cast<int>(good), static_cast<int>(runs.size()));
 }
 
+template <class Architecture>
 int run(const options& o) {
-  skills::combined start;
+  cca::controller<Architecture> start;
   skills::load(start, o.shape, o.config);
 
   std::vector<skills::circumstances> all;
@@ -133,7 +140,7 @@ int run(const options& o) {
   const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
   const std::vector<skills::finished_run> runs =
       trot::finished_runs("combination_of_skills_runs", all.size(), interrupted, [&](std::size_t i) {
-        skills::combined controller = start;
+        auto controller = start;
         const auto result = skills::roll_out(controller, all[i], [&] { return !interrupted; });
         if (i == 0) limited = cca::summaries_of(controller);
         return skills::finished_run{all[i], result};
@@ -155,5 +162,7 @@ int main(int count, char** words) {
   options o;
   cca::command_line line("the Combination of Skills with many seeds, both paws and every target");
   offer(line, o);
-  return cca::run_program(count, words, line, [&] { return run(o); });
+  return cca::run_program(count, words, line, [&] {
+    return o.engine == trot::engine::compiled ? run<compiled_skills>(o) : run<skills::simulated>(o);
+  });
 }

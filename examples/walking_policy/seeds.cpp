@@ -20,8 +20,10 @@
 #include <cca/main/run_program.hpp>
 #include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
 
 #include "../trot/report/command_line.hpp"
+#include "../trot/report/engine.hpp"
 #include "../trot/report/file.hpp"
 #include "../trot/report/finished_runs.hpp"
 #include "../trot/report/json.hpp"
@@ -31,12 +33,15 @@
 
 namespace {
 
+struct compiled_walk : walking::architecture<cca::sim::compiled_oncilla> {};
+
 struct options {
   std::string weights = "walk.policy", config, summary;
   std::uint64_t first = 1000, count = 20;
   double seconds = 20;
   std::optional<double> speed;
   cca::sim::terrain ground = cca::sim::terrain::flat();
+  trot::engine engine = trot::engine::ode;
 
   void offer(cca::command_line& line) {
     line.text("--weights FILE", weights, "of the policy (walk.policy)");
@@ -46,6 +51,7 @@ struct options {
     line.number("--seconds S", seconds, 3, 3600, "of each, simulated (20)");
     line.number("--speed V", speed, 0.1, 1, "m/s (the parameters' speed)");
     trot::offer_terrain(line, ground);
+    trot::offer_engine(line, engine);
     line.text("--summary FILE", summary,
               "falls, speed, drift and slip, of all and of each, as one JSON object");
     cca::offer_descriptions<walking::controller>(line, [this](walking::controller& c) {
@@ -73,19 +79,20 @@ double greatest(const std::vector<run_of_seed>& runs, Figure figure) {
   return most;
 }
 
+template <class Architecture>
 int judge(const options& o) {
   std::vector<std::string> limited;     // in the first run
   const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
-  walking::controller start;
+  cca::controller<Architecture> start;
   walking::name_weights(start, o.weights);
   if (o.config.empty()) start.load();
   else start.load(o.config);
   if (o.speed) walking::command_speed(start, *o.speed);
-  const double commanded = start.get<"gait.throttle">().p.speed;
+  const double commanded = start.template get<"gait.throttle">().p.speed;
 
   const std::vector<run_of_seed> runs =
       trot::finished_runs("walking_policy_seeds", o.count, interrupted, [&](std::size_t i) {
-        walking::controller c = start;
+        auto c = start;
         const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
         const auto figures = trot::evaluate(
             walking::roll_out(c, o.ground, disturbance, o.seconds, [&] { return !interrupted; }));
@@ -158,5 +165,7 @@ int main(int count, char** words) {
   cca::command_line line(
       "the learned gait from many disturbances that were not used in training, on all cores");
   o.offer(line);
-  return cca::run_program(count, words, line, [&] { return judge(o); });
+  return cca::run_program(count, words, line, [&] {
+    return o.engine == trot::engine::compiled ? judge<compiled_walk>(o) : judge<walking::simulated>(o);
+  });
 }
