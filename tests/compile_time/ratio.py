@@ -3,8 +3,9 @@
 
 usage: ratio.py FILE MOST MB COMPILER [FLAGS...]
 
-FILE was written by timed.py when the program was compiled. Eigen alone, a file that includes Eigen/Core and multiplies two
-matrices, is compiled here, as often as it takes to see the machine at its usual speed; the median counts.
+The files FILE-* were written by timed.py when the program was compiled; of its sources the largest counts. Eigen alone, a file
+that includes Eigen/Core and multiplies two matrices, is compiled here, as often as it takes to see the machine at its usual speed;
+the median counts.
 """
 import pathlib
 import resource
@@ -31,7 +32,10 @@ def eigen_alone(command, folder):
 
 def main():
     file, most, most_mb, *command = sys.argv[1:]
-    seconds, mb = map(float, pathlib.Path(file).read_text().split())
+    written = [path.read_text().split() for path in pathlib.Path(file).parent.glob(pathlib.Path(file).name + "-*")]
+    if not written:
+        sys.exit(f"{file}-*: not there: the program was not compiled by timed.py")
+    seconds, mb = (max(float(one[i]) for one in written) for i in range(2))
     with tempfile.TemporaryDirectory() as folder:
         alone = eigen_alone(command, folder)
     ratio = seconds / alone
