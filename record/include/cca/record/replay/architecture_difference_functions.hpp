@@ -82,8 +82,7 @@ CCA_RECORD_INLINE std::string architecture_difference(std::string_view here,
                                                       std::string_view there,
                                                       const spaces_by_hash& spaces,
                                                       const mcap_reader& file) {
-  const std::string lines =
-      printable(cca::detail::first_difference(with_writers(here), with_writers(there)), 2000);
+  std::string lines = printable(cca::detail::first_difference(with_writers(here), with_writers(there)), 2000);
   std::string_view in_mode;
   while (!here.empty() && !there.empty()) {
     const auto [a, rest_here] = split_at(here, here.find('\n'), 1);

@@ -43,7 +43,8 @@ constexpr branches<Size> branches_of(const cca::detail::reduced_body<Count>& bod
 
   std::array<std::array<bool, n>, n> meet{};  // row, a row before it
   const auto join = [&](int i, int j) {
-    const int r = b.row[static_cast<std::size_t>(base + i)], s = b.row[static_cast<std::size_t>(base + j)];
+    const int at = base + i, other = base + j;
+    const int r = b.row[static_cast<std::size_t>(at)], s = b.row[static_cast<std::size_t>(other)];
     meet[static_cast<std::size_t>(r > s ? r : s)][static_cast<std::size_t>(r > s ? s : r)] = true;
   };
   for (std::size_t k = 0; k < n; ++k)

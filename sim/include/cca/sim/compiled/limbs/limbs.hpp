@@ -47,9 +47,9 @@ public:
     return number;
   }();
   static constexpr std::size_t count = [] {
-    int most = -1;
-    for (const int l : of_link) most = l > most ? l : most;
-    return static_cast<std::size_t>(most + 1);
+    int n = 0;
+    for (const int l : of_link) n = l >= n ? l + 1 : n;
+    return static_cast<std::size_t>(n);
   }();
 
   // The links of a limb, ascending.
@@ -171,7 +171,8 @@ struct limb {
       l.ratio *= all::sign[static_cast<std::size_t>(l.coordinate)];
       l.back = l.revolute && l.ratio < 0;
       l.parent = given.index_of(l.parent);
-      l.coordinate = index_in(row, tree::branches.row[static_cast<std::size_t>(tree::base + l.coordinate)]);
+      const int variable = tree::base + l.coordinate;
+      l.coordinate = index_in(row, tree::branches.row[static_cast<std::size_t>(variable)]);
       l.value = index_in(value, l.value);
     }
     b.value_count = static_cast<int>(values);
