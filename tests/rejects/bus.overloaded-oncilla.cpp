@@ -4,13 +4,13 @@
 #include "oncilla.hpp"
 
 #if CCA_REJECT
-constexpr std::size_t fore = 0, hind = 0;
+constexpr std::size_t fore = 0, hind = 0, right_hip = 1;
 #else
-constexpr std::size_t fore = 0, hind = 1;
+constexpr std::size_t fore = 0, hind = 1, right_hip = 2;
 #endif
 
 struct a : joint<sim::left_front_hip, 1, fore> {};
-struct b : joint<sim::right_front_hip, 2, 2> {};
+struct b : joint<sim::right_front_hip, 2, right_hip> {};
 struct c : joint<sim::left_hind_hip, 3, hind> {};
 struct d : joint<sim::right_hind_hip, 4, 3> {};
 struct e : joint<sim::left_front_knee, 5, fore> {};
