@@ -315,11 +315,11 @@ struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
   CCA_INLINE beat_context(controller_state<Graph>& s,
                           beat_outcome& o,
                           std::int64_t beat,
-                          derived_rooms<Graph>&& rooms,
-                          derived_marks<Graph>&& marks,
+                          derived_rooms<Graph>&& its_rooms,
+                          derived_marks<Graph>&& its_marks,
                           stored_array<Graph, BeatArray>&&... samples)
       : reference_to_array<Graph, BeatArray>{samples}...,
-        derived_in_beat<Graph>(rooms, marks),
+        derived_in_beat<Graph>(its_rooms, its_marks),
         resting_parts<parts_kept<Graph>>(static_cast<const part_states<parts_kept<Graph>>&>(s)),
         after_missed<layout_of<Graph>.missed_count>(
             static_cast<const missed_firings<layout_of<Graph>.missed_count>&>(s), beat),
