@@ -35,8 +35,7 @@ double worst_acceleration() {
     auto found = step.now.forces;
     for (std::size_t c = 0; c < torques.size(); ++c)
       found[static_cast<std::size_t>(step.now.rows.row[base + c])] += torques[c];
-    step.now.mass.factor();
-    step.now.mass.solve(found);
+    sim::detail::limb_solution<R, double>::factor_and_solve(step.now.mass, found);
 
     const cca::body_pose<typename R::body> pose(vector::Map(m.q.data()));
     const vector dq = vector::Map(m.dq.data()), t = vector::Map(torques.data());

@@ -15,6 +15,24 @@
 
 namespace cca::detail {
 
+// Operation I of a tape, on its numbers: doubles, or lanes of them.
+template <class Algorithm, int I, class Number>
+[[gnu::always_inline]] inline void operate(Number* v) {
+  constexpr const auto& t = tape_of<Algorithm>;
+  constexpr recorded_operation o(t.operation[I]);
+  constexpr int a = o.first(), b = o.second(), to = t.inputs + t.constants + I;
+  if constexpr (o.what() == operation::add) v[to] = v[a] + v[b];
+  else if constexpr (o.what() == operation::subtract) v[to] = v[a] - v[b];
+  else if constexpr (o.what() == operation::multiply) v[to] = v[a] * v[b];
+  else v[to] = v[a] / v[b];
+}
+// The number of an output.
+template <int Row, class Number>
+[[gnu::always_inline]] inline Number number_on_tape(const Number* v) {
+  if constexpr (Row < 0) return -v[~Row];
+  else return v[Row];
+}
+
 template <class Algorithm>
 class straight_line {
   static constexpr std::size_t result_count = Algorithm::results.size();
@@ -26,17 +44,8 @@ public:
 
 private:
   static constexpr const auto& t = tape_of<Algorithm>;
-  static constexpr int first = t.inputs + t.constants, rows = first + t.operations;
+  static constexpr int rows = t.inputs + t.constants + t.operations;
 
-  template <int I>
-  [[gnu::always_inline]] static void step(double* v) {
-    constexpr recorded_operation o(t.operation[I]);
-    constexpr int a = o.first(), b = o.second();
-    if constexpr (o.what() == operation::add) v[first + I] = v[a] + v[b];
-    else if constexpr (o.what() == operation::subtract) v[first + I] = v[a] - v[b];
-    else if constexpr (o.what() == operation::multiply) v[first + I] = v[a] * v[b];
-    else v[first + I] = v[a] / v[b];
-  }
   // In lists, not folds, and why the whole is not inlined: docs/compilers.md.
   template <int... I>
   [[gnu::always_inline]] static void constants(double* v, std::integer_sequence<int, I...>) {
@@ -45,18 +54,13 @@ private:
   }
   template <int... I>
   [[gnu::always_inline]] static void operations(double* v, std::integer_sequence<int, I...>) {
-    const bool done[]{(step<I>(v), true)..., true};
+    const bool done[]{(operate<Algorithm, I>(v), true)..., true};
     (void)done;
   }
   template <int First, int... I>
   [[gnu::always_inline]] static void store(const double* v, double* out, std::integer_sequence<int, I...>) {
-    const bool done[]{(out[I] = number<t.output[First + I]>(v), true)..., true};
+    const bool done[]{(out[I] = number_on_tape<t.output[First + I]>(v), true)..., true};
     (void)done;
-  }
-  template <int Row>
-  [[gnu::always_inline]] static double number(const double* v) {
-    if constexpr (Row < 0) return -v[~Row];
-    else return v[Row];
   }
   static constexpr int results_before(std::size_t array) {
     int sum = 0;

@@ -103,39 +103,26 @@ struct branch_matrix {
     return sum;
   }
 
-  // Of L^T D L: L is left beside the diagonal.
-  constexpr void factor() {
-    for (std::size_t k = size; k-- > 0;) {
-      Real* const own = row(k);
-      const auto depth = static_cast<std::size_t>(Of.depth[k]);
-      inverse[k] = Real(1.0) / own[depth];
-      for (std::size_t a = depth; a-- > 0;) {
-        Real* const other = row(static_cast<std::size_t>(Of.way[k][a]));
-        const Real x = own[a] * inverse[k];
-        for (std::size_t b = 0; b <= a; ++b) other[b] = other[b] - x * own[b];
-        own[a] = x;
-      }
+  // L^T D L, and v with it: each row from the last to the first. L is left beside the diagonal.
+  constexpr void eliminate(std::size_t k, vector& v) {
+    Real* const own = row(k);
+    const auto depth = static_cast<std::size_t>(Of.depth[k]);
+    inverse[k] = Real(1.0) / own[depth];
+    for (std::size_t a = depth; a-- > 0;) {
+      const auto at = static_cast<std::size_t>(Of.way[k][a]);
+      Real* const other = row(at);
+      const Real x = own[a] * inverse[k];
+      for (std::size_t b = 0; b <= a; ++b) other[b] = other[b] - x * own[b];
+      v[at] = v[at] - x * v[k];
+      own[a] = x;
     }
+    v[k] = v[k] * inverse[k];
   }
-  // After `factor`: v becomes M^-1 v.
-  constexpr void solve(vector& v) const {
-    for (std::size_t k = size; k-- > 0;) {
-      const Real* const own = row(k);
-      for (std::size_t a = static_cast<std::size_t>(Of.depth[k]); a-- > 0;) {
-        Real& x = v[static_cast<std::size_t>(Of.way[k][a])];
-        x = x - own[a] * v[k];
-      }
-    }
-    for (std::size_t k = 0; k < size; ++k) v[k] = v[k] * inverse[k];
-    forward(v);
-  }
-  // v becomes L^-1 v.
-  constexpr void forward(vector& v) const {
-    for (std::size_t k = 0; k < size; ++k) {
-      const Real* const own = row(k);
-      for (std::size_t a = 0; a < static_cast<std::size_t>(Of.depth[k]); ++a)
-        v[k] = v[k] - own[a] * v[static_cast<std::size_t>(Of.way[k][a])];
-    }
+  // Then v becomes L^-1 v: each row from the first to the last.
+  constexpr void forward(std::size_t k, vector& v) const {
+    const Real* const own = row(k);
+    for (std::size_t a = 0; a < static_cast<std::size_t>(Of.depth[k]); ++a)
+      v[k] = v[k] - own[a] * v[static_cast<std::size_t>(Of.way[k][a])];
   }
 };
 

@@ -4,7 +4,7 @@
 //   now.look(q);                                    the joints at these angles
 //   now.weigh(speeds, turning, up);                 M, the forces that motion and gravity leave, and where
 //                                                   the links are (`places`)
-//   now.mass.factor(); now.mass.solve(now.forces);  accelerations
+//   limb_solution<R, double>::factor_and_solve(now.mass, now.forces);   accelerations
 //
 // The algorithms are those of cca/robot/recorded, limb by limb (limbs/limb_code.hpp): recursive Newton-Euler
 // for the forces, composite bodies for M. Cost: linear in the links, but for pairs of links on one branch.
@@ -63,14 +63,8 @@ struct tree_equations {
     frames found;
     cca::detail::unrolled<static_cast<int>(limbs_of<R>::count)>([&](auto l) {
       using own = limb<R, static_cast<std::size_t>(l())>;
-      std::array<Real, 2 * own::values> values{};
-      for (std::size_t k = 0; k < own::values; ++k) {
-        const auto at = static_cast<std::size_t>(own::value[k]);
-        values[k] = motion.values_of_joints[at];
-        values[own::values + k] = motion.values_of_joints[motion.values + at];
-      }
-      const auto some =
-          limb_dynamics<own, Real>::frames_of(cca::detail::placed_joints<Real>(own::body, values));
+      const auto some = limb_dynamics<own, Real>::frames_of(
+          cca::detail::placed_joints<Real>(own::body, motion.template values_of<own>()));
       for (std::size_t i = 0; i < own::links; ++i) found[static_cast<std::size_t>(own::link[i])] = some[i];
     });
     return found;

@@ -12,7 +12,9 @@
 #include <utility>
 
 #include <cca/base/compiler.hpp>
+#include <cca/base/recording/straight_line.hpp>
 #include <cca/base/unrolled.hpp>
+#include <cca/sim/compiled/limbs/in_lanes.hpp>
 #include <cca/sim/compiled/limbs/limb_dynamics.hpp>
 
 namespace cca::sim::detail {
@@ -35,6 +37,16 @@ struct motion_of_limbs {
   std::array<Real, 2 * values> values_of_joints{};
   std::array<Real, static_cast<std::size_t>(compiled_tree<R>::size)> speeds{};
   triple<Real> turning{}, up{};
+
+  template <class Limb>
+  constexpr auto values_of() const {
+    std::array<Real, 2 * Limb::values> of{};
+    for (std::size_t k = 0; k < Limb::values; ++k) {
+      const auto at = static_cast<std::size_t>(Limb::value[k]);
+      of[k] = values_of_joints[at], of[Limb::values + k] = values_of_joints[values + at];
+    }
+    return of;
+  }
 };
 
 template <class R>
@@ -85,9 +97,10 @@ class limb_code {
   using shared = shared_limbs<R>;
   using own = limb<R, L>;
   using tree = compiled_tree<R>;
-  using number = std::conditional_t<Width == 1, Real, cca::detail::lanes>;
-  static constexpr const auto& t = cca::detail::tape_of<recorded_limb<own>>;
-  static constexpr int first = t.inputs + t.constants, rows = first + t.operations;
+  using number = number_of_limbs<Real, Width>;
+  using tape = recorded_limb<own>;
+  static constexpr const auto& t = cca::detail::tape_of<tape>;
+  static constexpr int rows = t.inputs + t.constants + t.operations;
   static constexpr auto constants = static_cast<std::size_t>(t.constants), n = own::n;
 
   // Of one limb: the first of its numbers, and the constants of its tape, then the signs of its coordinates.
@@ -128,16 +141,6 @@ class limb_code {
     return any;
   }(std::make_index_sequence<shared::template size<L>>());
 
-  template <class F>
-  [[gnu::always_inline]] static number gathered(const some& s, F of) {
-    if constexpr (Width == 1) {
-      return of(s.of[0]);
-    } else {
-      number x{};
-      for (std::size_t l = 0; l < Width; ++l) x[l] = of(s.of[l]);
-      return x;
-    }
-  }
   template <std::size_t K>
   [[gnu::always_inline]] static number constant(const some& s) {
     if constexpr (Width == 1) {
@@ -148,40 +151,24 @@ class limb_code {
       return x;
     }
   }
-  template <int Row>
-  [[gnu::always_inline]] static number at(const number* v) {
-    if constexpr (Row < 0) return -v[~Row];
-    else return v[Row];
-  }
-  template <int I>
-  [[gnu::always_inline]] static void operate(number* v) {
-    using cca::detail::operation;
-    constexpr cca::detail::recorded_operation o(t.operation[static_cast<std::size_t>(I)]);
-    constexpr int a = o.first(), b = o.second();
-    if constexpr (o.what() == operation::add) v[first + I] = v[a] + v[b];
-    else if constexpr (o.what() == operation::subtract) v[first + I] = v[a] - v[b];
-    else if constexpr (o.what() == operation::multiply) v[first + I] = v[a] * v[b];
-    else v[first + I] = v[a] / v[b];
-  }
-
   using motion = motion_of_limbs<R, Real>;
   template <std::size_t I>
   [[gnu::always_inline]] static number input(const motion& m, const some& s) {
     constexpr std::size_t values = own::values, others = 2 * values + n;
     if constexpr (I < 2 * values) {
       constexpr std::size_t k = I % values, half = I < values ? 0 : motion::values;
-      return gathered(s, [&](const member& of) {
+      return gathered<Real, Width>(s.of.data(), [&](const member& of) {
         if constexpr (own::is_in_one_piece) return m.values_of_joints[half + of.value + k];
         else return m.values_of_joints[half + static_cast<std::size_t>(own::value[k])];
       });
     } else if constexpr (I < others) {
       constexpr std::size_t k = I - 2 * values;
-      return gathered(s, [&](const member& of) {
+      return gathered<Real, Width>(s.of.data(), [&](const member& of) {
         if constexpr (own::is_in_one_piece) return m.speeds[of.row + k];
         else return m.speeds[static_cast<std::size_t>(own::row[k])];
       });
     } else {
-      return gathered(s, [&](const member&) {
+      return gathered<Real, Width>(s.of.data(), [&](const member&) {
         return I < others + 3 ? m.turning[(I - others) % 3] : m.up[(I - others) % 3];
       });
     }
@@ -245,11 +232,12 @@ class limb_code {
                                          std::integer_sequence<int, O...>,
                                          std::integer_sequence<int, Out...>) {
     number v[std::size_t{rows + 1}];
-    const bool done[]{
-        (v[I] = input<static_cast<std::size_t>(I)>(m, s), true)...,
-        (v[t.inputs + C] = constant<static_cast<std::size_t>(C)>(s), true)..., (operate<O>(v), true)...,
-        (store<static_cast<std::size_t>(Out)>(at<t.output[static_cast<std::size_t>(Out)]>(v), s, to),
-         true)...};
+    const bool done[]{(v[I] = input<static_cast<std::size_t>(I)>(m, s), true)...,
+                      (v[t.inputs + C] = constant<static_cast<std::size_t>(C)>(s), true)...,
+                      (cca::detail::operate<tape, O>(v), true)...,
+                      (store<static_cast<std::size_t>(Out)>(
+                           cca::detail::number_on_tape<t.output[static_cast<std::size_t>(Out)]>(v), s, to),
+                       true)...};
     (void)done;
   }
   [[gnu::noinline]] static void compute(const motion& m, const some& s, posture& to) {
@@ -276,14 +264,9 @@ template <class R, class Real, std::size_t L>
 constexpr void compute_in_loops(const motion_of_limbs<R, Real>& m, posture_of_limbs<R, Real>& to) {
   using own = limb<R, L>;
   constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
-  std::array<Real, 2 * own::values> values{};
   std::array<Real, own::n> speeds{};
-  for (std::size_t k = 0; k < own::values; ++k) {
-    values[k] = m.values_of_joints[at(own::value[k])];
-    values[own::values + k] = m.values_of_joints[m.values + at(own::value[k])];
-  }
   for (std::size_t i = 0; i < own::n; ++i) speeds[i] = m.speeds[at(own::row[i])];
-  const auto found = limb_dynamics<own, Real>::of(values, speeds, m.turning, m.up);
+  const auto found = limb_dynamics<own, Real>::of(m.template values_of<own>(), speeds, m.turning, m.up);
   for (std::size_t i = 0; i < own::links; ++i) to.frames[at(own::link[i])] = found.frames[i];
   for (std::size_t i = 0; i < own::n; ++i)
     to.forces[at(own::row[i])] =

@@ -13,6 +13,7 @@
 
 #include <cca/base/compiler.hpp>
 #include <cca/base/unrolled.hpp>
+#include <cca/sim/compiled/limbs/in_lanes.hpp>
 #include <cca/sim/compiled/limbs/limbs.hpp>
 
 namespace cca::sim::detail {
@@ -81,7 +82,6 @@ class limb_solution {
   using tree = compiled_tree<R>;
   using matrix = branch_matrix<tree::branches, Real>;
   using vector = typename matrix::vector;
-  static constexpr const auto& of = tree::branches;
   static constexpr auto base = static_cast<std::size_t>(tree::base), limbs = limbs_of<R>::count;
   // What a limb takes from the base: of M, its lower triangle by rows; of the vector.
   struct taken {
@@ -95,33 +95,18 @@ class limb_solution {
   // `Width` limbs of N rows at once, and the vector with them.
   template <std::size_t N, std::size_t Width>
   struct several {
-    using number = std::conditional_t<Width == 1, Real, cca::detail::lanes>;
+    using number = number_of_limbs<Real, Width>;
     using place = typename shared::place;
     static constexpr std::size_t entries = entry_of(N, 0);
 
-    template <class F>
-    [[gnu::always_inline]] static number gathered(const place* at, F f) {
-      if constexpr (Width == 1) {
-        return f(at[0]);
-      } else {
-        number x{};
-        for (std::size_t l = 0; l < Width; ++l) x[l] = f(at[l]);
-        return x;
-      }
-    }
-    template <class F>
-    [[gnu::always_inline]] static void scatter(const place* at, const number& x, F f) {
-      if constexpr (Width == 1) f(at[0]) = x;
-      else
-        for (std::size_t l = 0; l < Width; ++l) f(at[l]) = x[l];
-    }
-
     [[gnu::noinline]] static void eliminate(const place* at, matrix& m, vector& v, taken* from) {
       number e[entries], x[N], inverse[N], rest[base * (base + 1) / 2 + 1]{}, forces[base + 1]{};
-      cca::detail::unrolled<static_cast<int>(entries)>(
-          [&](auto k) { e[k()] = gathered(at, [&](const place& p) { return m.entry[p.entry + k()]; }); });
-      cca::detail::unrolled<static_cast<int>(N)>(
-          [&](auto k) { x[k()] = gathered(at, [&](const place& p) { return v[p.row + k()]; }); });
+      cca::detail::unrolled<static_cast<int>(entries)>([&](auto k) {
+        e[k()] = gathered<Real, Width>(at, [&](const place& p) { return m.entry[p.entry + k()]; });
+      });
+      cca::detail::unrolled<static_cast<int>(N)>([&](auto k) {
+        x[k()] = gathered<Real, Width>(at, [&](const place& p) { return v[p.row + k()]; });
+      });
       cca::detail::unrolled<static_cast<int>(N)>([&](auto before) {
         constexpr std::size_t i = N - 1 - static_cast<std::size_t>(before()), depth = base + i;
         number* const own = e + entry_of(i, 0);
@@ -146,17 +131,20 @@ class limb_solution {
         x[i] = x[i] * inverse[i];
       });
       cca::detail::unrolled<static_cast<int>(entries)>([&](auto k) {
-        scatter(at, e[k()], [&](const place& p) -> Real& { return m.entry[p.entry + k()]; });
+        scatter<Real, Width>(at, e[k()], [&](const place& p) -> Real& { return m.entry[p.entry + k()]; });
       });
       cca::detail::unrolled<static_cast<int>(N)>([&](auto k) {
-        scatter(at, inverse[k()], [&](const place& p) -> Real& { return m.inverse[p.row + k()]; });
-        scatter(at, x[k()], [&](const place& p) -> Real& { return v[p.row + k()]; });
+        scatter<Real, Width>(at, inverse[k()],
+                             [&](const place& p) -> Real& { return m.inverse[p.row + k()]; });
+        scatter<Real, Width>(at, x[k()], [&](const place& p) -> Real& { return v[p.row + k()]; });
       });
       cca::detail::unrolled<static_cast<int>(base * (base + 1) / 2)>([&](auto k) {
-        scatter(at, rest[k()], [&](const place& p) -> Real& { return from[p.limb].entries[k()]; });
+        scatter<Real, Width>(at, rest[k()],
+                             [&](const place& p) -> Real& { return from[p.limb].entries[k()]; });
       });
       cca::detail::unrolled<static_cast<int>(base)>([&](auto k) {
-        scatter(at, forces[k()], [&](const place& p) -> Real& { return from[p.limb].forces[k()]; });
+        scatter<Real, Width>(at, forces[k()],
+                             [&](const place& p) -> Real& { return from[p.limb].forces[k()]; });
       });
     }
   };
@@ -173,22 +161,6 @@ class limb_solution {
     }
   }
 
-  // One row, by a loop.
-  static constexpr void eliminate_row(matrix& m, vector& v, std::size_t k) {
-    Real* const own = m.row(k);
-    const auto depth = static_cast<std::size_t>(of.depth[k]);
-    m.inverse[k] = Real(1.0) / own[depth];
-    for (std::size_t a = depth; a-- > 0;) {
-      const auto row = static_cast<std::size_t>(of.way[k][a]);
-      Real* const other = m.row(row);
-      const Real x = own[a] * m.inverse[k];
-      for (std::size_t b = 0; b <= a; ++b) other[b] = other[b] - x * own[b];
-      v[row] = v[row] - x * v[k];
-      own[a] = x;
-    }
-    v[k] = v[k] * m.inverse[k];
-  }
-
 public:
   // M is factored; v becomes M^-1 v.
   static void factor_and_solve(matrix& m, vector& v) {
@@ -200,7 +172,7 @@ public:
         constexpr auto L = static_cast<std::size_t>(l());
         if constexpr (shared::template rows<L> == 0)
           for (std::size_t i = limb<R, L>::n; i-- > 0;)
-            eliminate_row(m, v, static_cast<std::size_t>(limb<R, L>::row[i]));
+            m.eliminate(static_cast<std::size_t>(limb<R, L>::row[i]), v);
         else if constexpr (shared::leader[L] == L)
           eliminate_from<L, 0, (shared::template size<L> >= most ? most : 1)>(m, v, from.data());
       });
@@ -210,9 +182,9 @@ public:
         for (std::size_t k = 0; k < base; ++k) v[k] = v[k] - from[l].forces[k];
       }
       cca::detail::unrolled<static_cast<int>(base)>(
-          [&](auto k) { eliminate_row(m, v, base - 1 - static_cast<std::size_t>(k())); });
+          [&](auto k) { m.eliminate(base - 1 - static_cast<std::size_t>(k()), v); });
     } else {
-      for (std::size_t k = v.size(); k-- > 0;) eliminate_row(m, v, k);
+      for (std::size_t k = v.size(); k-- > 0;) m.eliminate(k, v);
     }
     forward(m, v);
   }
@@ -225,23 +197,18 @@ public:
       cca::detail::unrolled<static_cast<int>(limbs)>([&](auto l) {
         constexpr auto L = static_cast<std::size_t>(l());
         if constexpr (shared::template rows<L> == 0) {
-          for (const int row : limb<R, L>::row) forward_row(m, v, static_cast<std::size_t>(row));
+          for (const int row : limb<R, L>::row) m.forward(static_cast<std::size_t>(row), v);
         } else if constexpr (shared::leader[L] == L) {
           for (const auto& p : shared::template places<L>)
             forward_limb<shared::template rows<L>>(m.entry.data() + p.entry, v.data(), v.data() + p.row);
         }
       });
     } else {
-      for (std::size_t k = 0; k < v.size(); ++k) forward_row(m, v, k);
+      for (std::size_t k = 0; k < v.size(); ++k) m.forward(k, v);
     }
   }
 
 private:
-  static constexpr void forward_row(const matrix& m, vector& v, std::size_t k) {
-    const Real* const own = m.row(k);
-    for (std::size_t a = 0; a < static_cast<std::size_t>(of.depth[k]); ++a)
-      v[k] = v[k] - own[a] * v[static_cast<std::size_t>(of.way[k][a])];
-  }
   // Row K of the base, or row K - base of a limb: after it come the `rows` of the limb.
   template <std::size_t K>
   static void forward_row(const Real* own_entries, const Real* of_base, Real* rows) {
