@@ -8,7 +8,7 @@
 
 namespace {
 
-struct simulated : skills::watched<cca::sim::oncilla> {};
+struct simulated : trot::watched<skills::architecture<cca::sim::oncilla>> {};
 
 }  // namespace
 

@@ -1,20 +1,13 @@
 #pragma once
-// The program of the trot: what it adds to the main function for robots (cca/main.hpp), for a robot in any
-// engine.
+// The program of the trot, around the main function for robots (cca/main.hpp). The robot's engine is a
+// parameter.
 #include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <string>
 
 #include <cca/cca.hpp>
-#include <cca/graph/items/shows.hpp>
 #include <cca/main.hpp>
-#include <cca/robots/oncilla/legged_body.hpp>
-
-#if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>                // offers --record
-#include <cca/record/replay_option.hpp>  // offers --replay
-#endif
 
 #include "report/command_line.hpp"
 #include "report/csv.hpp"
@@ -26,6 +19,7 @@
 #include "report/statistics.hpp"
 #include "report/summary.hpp"
 #include "report/svg.hpp"
+#include "report/watched.hpp"
 
 namespace trot {
 
@@ -48,14 +42,8 @@ inline double controller_nanoseconds() {
   return seconds_since(start) / beats * 1e9;
 }
 
-template <class Robot>
-struct watched
-    : architecture<Robot>,
-      cca::recordable,
-      cca::traceable,
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
-
-// `Watched`: `watched` of a robot with the questions of asked_by_leg.hpp. `Runs`: what --engine calls it.
+// `Watched`: `watched` of the architecture of a robot with the questions of asked_by_leg.hpp. `Runs`: what
+// --engine calls it.
 template <class Watched, engine Runs>
 struct program : cca::robot_program<Watched> {
   using controller_type = typename cca::robot_program<Watched>::controller_type;

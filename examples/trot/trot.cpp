@@ -18,7 +18,7 @@
 
 namespace {
 
-struct simulated_trot : trot::watched<cca::sim::oncilla> {};
+struct simulated_trot : trot::watched<trot::architecture<cca::sim::oncilla>> {};
 
 }  // namespace
 

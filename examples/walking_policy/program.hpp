@@ -1,20 +1,13 @@
 #pragma once
-// The program of the walk: what it adds to the main function for robots (cca/main.hpp), for a robot in any
-// engine.
+// The program of the walk, around the main function for robots (cca/main.hpp). The robot's engine is a
+// parameter.
 #include <cstdio>
 #include <iostream>
 #include <optional>
 #include <string>
 
 #include <cca/cca.hpp>
-#include <cca/graph/items/shows.hpp>
 #include <cca/main.hpp>
-#include <cca/robots/oncilla/legged_body.hpp>
-
-#if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>                // offers --record
-#include <cca/record/replay_option.hpp>  // offers --replay
-#endif
 
 #include "../trot/report/command_line.hpp"
 #include "../trot/report/csv.hpp"
@@ -24,18 +17,13 @@
 #include "../trot/report/statistics.hpp"
 #include "../trot/report/summary.hpp"
 #include "../trot/report/svg.hpp"
+#include "../trot/report/watched.hpp"
 #include "rollout.hpp"
 
 namespace walking {
 
-template <class Robot>
-struct watched
-    : architecture<Robot>,
-      cca::recordable,
-      cca::traceable,
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.simulator.orientation"> {};
-
-// `Watched`: `watched` of a robot with the questions of asked_by_leg.hpp. `Runs`: what --engine calls it.
+// `Watched`: `watched` of the architecture of a robot with the questions of asked_by_leg.hpp. `Runs`: what
+// --engine calls it.
 template <class Watched, trot::engine Runs>
 struct program : cca::robot_program<Watched> {
   using controller_type = typename cca::robot_program<Watched>::controller_type;

@@ -8,7 +8,7 @@
 
 namespace {
 
-struct simulated_walk : walking::watched<cca::sim::oncilla> {};
+struct simulated_walk : trot::watched<walking::architecture<cca::sim::oncilla>> {};
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 
 namespace {
 
-struct compiled_skills : skills::watched<cca::sim::compiled_oncilla> {};
+struct compiled_skills : trot::watched<skills::architecture<cca::sim::compiled_oncilla>> {};
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 
 namespace {
 
-struct compiled_trot : trot::watched<cca::sim::compiled_oncilla> {};
+struct compiled_trot : trot::watched<trot::architecture<cca::sim::compiled_oncilla>> {};
 
 }  // namespace
 

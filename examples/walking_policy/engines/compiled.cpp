@@ -6,7 +6,7 @@
 
 namespace {
 
-struct compiled_walk : walking::watched<cca::sim::compiled_oncilla> {};
+struct compiled_walk : trot::watched<walking::architecture<cca::sim::compiled_oncilla>> {};
 
 }  // namespace
 

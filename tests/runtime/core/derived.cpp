@@ -143,7 +143,7 @@ TEST_SUITE("derived") {
     CHECK_EQ(other.wrong, 0);
     const cca::derived<length_of, "x"> length;
     CHECK_EQ(length.anew(cca::sample<pair_of>(pair_of::vector_type(6, 8), 0)), 10);
-    // A copy shares what is shared, and computes anew what was not.
+    // A copy keeps the shared value. A value that is not shared it computes itself.
     const double shared = 17;
     const cca::derived<length_of, "x"> of_beat(&shared), alone(x);
     const auto copy_of_beat = of_beat, copy = alone;

@@ -31,7 +31,7 @@ struct area_of {  // built on the length, which is shared, too
 // [functions end]
 
 // [reader]
-// Compares what it gets with what it computes itself, in each firing.
+// In each firing it also computes the length itself, and compares.
 struct length_reader {
   auto process(cca::in<"x", pair_of> x, cca::derived<length_of, "x"> length) -> cca::out<"y", pair_of> {
     ++fired;

@@ -187,7 +187,7 @@ public:
   explicit derived(const value* shared) : known(shared) {}
   template <class Space>
   explicit derived(const sample<Space>& shown) : known(make(shown)) {}
-  // A copy shares what is shared; what this one computed, the copy computes anew.
+  // A copy keeps the shared value. A value that is not shared it computes itself.
   derived(const derived& other) : known(other.known == other.own() ? nullptr : other.known) {}
   derived& operator=(const derived&) = delete;
 

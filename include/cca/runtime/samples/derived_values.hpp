@@ -13,8 +13,8 @@
 
 namespace cca::detail {
 
-// Does an input show what all others without delay show of the same output in a beat? They come after its
-// writer, so they do, unless it has an initial value of its own.
+// Whether an input shows the newest sample of its output: all do that have no delay, because they are read
+// after its writer has run. One with an initial value of its own may still show that.
 template <class Graph, int Input>
 inline constexpr bool shows_the_same = [] {
   const input& in = plan_of<Graph>.inputs[array_size(Input)];
