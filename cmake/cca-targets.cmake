@@ -6,7 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/cca-compiled.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/cca-same-bits.cmake)
 
 # cca_add_headers(<name> <root>: the folder that users include from; FILES...)
-# Makes the target cca::<name>. Its headers are installed; the target all_verify_interface_header_sets compiles each alone.
+# Makes the target cca::<name>. Its headers are installed; the target all_verify_interface_header_sets compiles each alone, without precompiled headers.
 function(cca_add_headers name root)
   set(target cca)
   if(NOT name STREQUAL "cca")

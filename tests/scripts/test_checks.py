@@ -13,6 +13,7 @@ import drives
 import elementary
 import figures
 import finite
+import headers_alone
 import includes
 import make_troubleshooting
 import reject
@@ -202,6 +203,24 @@ class Includes(Tree):
         self.assertEqual(len(self.found("include/cca/runtime/c.hpp", "CLI/CLI.hpp")), 2)
         self.assertEqual(len(self.found("include/cca/runtime/d.hpp", "cca/main/a.hpp")), 3)
         self.assertEqual(len(self.found("include/cca/runtime/e.hpp", "cca/config.hpp")), 4)
+
+
+class HeadersAlone(Tree):
+    def refused(self, **headers):
+        for name, text in headers.items():
+            self.write(f"include/cca/{name}.hpp", text)
+        found = headers_alone.headers(self.root)
+        return found, [header for header, _ in headers_alone.refused(found, self.root, ["clang++-19", f"-I{self.root / 'include'}"])]
+
+    def test_all(self):
+        (self.root / "outside.hpp").write_text("")
+        headers_alone.precompiled(self.root / "outside.hpp", ["clang++-19", f"-I{self.root / 'include'}"], self.root / "outside.pch")
+        found, refused = self.refused(a="#pragma once\nstruct a {};\n", b="#pragma once\n#include <cca/a.hpp>\ninline a of_a;\n",
+                                      c="#pragma once\ninline a of_a;\n")
+        self.assertEqual(found, ["cca/a.hpp", "cca/b.hpp", "cca/c.hpp"])
+        self.assertEqual(refused, ["cca/c.hpp"])
+        self.write("include/cca/d.hpp", "#include <vector>\n  #include <cca/a.hpp>\n")
+        self.assertEqual(headers_alone.includes_from_outside(self.root), ["<vector>"])
 
 
 class Snippets(Tree):

@@ -4,6 +4,7 @@
 //   advance()   the next beat
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 #include <cca/runtime/component_host.hpp>
@@ -58,6 +59,16 @@ public:
     requires(!RunArguments<Arguments...>)
   cca::state run(Arguments&&...) {
     return refuse_run<Arguments...>();
+  }
+
+  // A copy that can go on, also from within a run: in `between`, say, to look ahead. It is `started` where
+  // this one is running.
+  Self snapshot() const
+    requires std::copy_constructible<Self>
+  {
+    Self copy(self());
+    if (now == cca::state::running) copy.now = after(transition::pause, now);
+    return copy;
   }
 
   // In the wall-clock runs since start(): the beats that were still running when the next should

@@ -10,6 +10,8 @@
 // EXPECT derived_from_itself: component\.bad_parameter: `half` stands in a cca::derived, and builds on its own value: take it out of the `cca::from` of those on which it builds
 // EXPECT derived_of_port: component\.bad_parameter: `of_port` makes no `double` of `sample<signal>`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
 // EXPECT derived_of_two: component\.bad_parameter: `of_two` makes no `double` of `double` and `double`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
+// EXPECT derived_of_other_input: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got `other`: for the value of another sample call `anew`
+// EXPECT derived_of_sample: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got a `sample<signal>`: for the value of another sample call `anew`
 // EXPECT twice_limited: space\.bad_limits: a `cca::limits` lists `angle` twice: state one range for each quantity
 // EXPECT never_stopped: strategy\.not_stoppable: the component `walk\.step` \(step\) of walking can not be stopped on its own: write `cca::stoppable<\.\.\.>` around its strategy
 // EXPECT never_stopped_graph: strategy\.not_stoppable: the inner graph `walk` of walking can not be stopped on its own: write `cca::stoppable<>` behind the graph
@@ -143,9 +145,13 @@ using derived_text = cca::derived<late<text_of, T>, "x">;
 template <class T>
 using derived_from_itself = cca::derived<late<half, T>, "x">;
 template <class T>
-using derived_of_port = decltype(derive<of_port>(std::declval<late<cca::sample<signal>, T>>()));
+using derived_of_port = decltype(derive<of_port>(std::declval<late<cca::in<"x", signal>, T>>()));
 template <class T>
-using derived_of_two = decltype(derive<of_two>(std::declval<late<cca::sample<signal>, T>>()));
+using derived_of_two = decltype(derive<of_two>(std::declval<late<cca::in<"x", signal>, T>>()));
+template <class T>
+using derived_of_other_input = decltype(derive<number>(std::declval<late<cca::in<"other", signal>, T>>()));
+template <class T>
+using derived_of_sample = decltype(derive<number>(std::declval<late<cca::sample<signal>, T>>()));
 template <class T>
 using twice_limited = cca::limits<late<cca::angle, T>, cca::angle>;
 template <class T>

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <memory>
+#include <optional>
 #include <random>
 
 #include "counting.hpp"
@@ -137,6 +138,25 @@ TEST_SUITE("snapshots") {
     CHECK_EQ(c.beat_index(), 33);
     c.run(cca::for_beats<60>{});
     CHECK_EQ(bits_of(c), first);
+  }
+
+  TEST_CASE("a snapshot from within a run goes on, and the run, too") {
+    auto c = started<rich>();
+    std::optional<cca::controller<rich>> ahead;
+    c.run(cca::for_beats<90>{}, cca::as_fast_as_possible{}, [&](auto& running) {
+      if (running.beat_index() != 33) return true;
+      CHECK_THROWS_AS(cca::controller<rich>(running).run(cca::for_beats<1>{}),
+                      cca::refused);  // a mere copy is running
+      ahead = running.snapshot();
+      CHECK_EQ(running.state(), cca::state::running);
+      return true;
+    });
+    REQUIRE(ahead);
+    CHECK_EQ(ahead->state(), cca::state::started);
+    CHECK_EQ(ahead->beat_index(), 33);
+    CHECK_EQ(ahead->run(cca::for_beats<57>{}), cca::state::started);
+    CHECK_EQ(bits_of(*ahead), bits_of(c));
+    CHECK_EQ(cca::controller<rich>().snapshot().state(), cca::state::created);
   }
 
   TEST_CASE("a component that can't be copied can be moved") {

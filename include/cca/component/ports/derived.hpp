@@ -11,8 +11,8 @@
 // A function may build on others: with `using from = cca::from<A, B>;` its `of` takes the values of A and B,
 // which are shared, too. `of` must depend on nothing but the coordinates of the sample.
 //
-//   length.of(felt)       the value. Outside of a beat, where `process` is called by hand with `{}` for this
-//                         parameter, it is computed here
+//   length.of(felt)       the value. `of` takes that input only. Outside of a beat, where `process` is called by hand
+//                         with `{}` for this parameter, it is computed here
 //   length.anew(other)    of another sample instead, for a component that does not take the input as it is
 //
 // Inputs of one output share it if their wires have neither a delay nor a queue: they show the same sample.
@@ -84,6 +84,21 @@ struct makes_no_value {
 };
 template <class Function, class... Given> concept MakesValueOf = requires(const Given&... given) {
   { Function::of(given...) } -> std::convertible_to<typename Function::value>;
+};
+
+// An input of this name: cca/component/port.hpp.
+template <class Shown, fixed_string Port> concept Shows =
+    requires { Shown::name; } && Shown::name == Port.view();
+
+template <class Function, fixed_string Port, class Other>
+struct derived_of_other {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: `of` of a cca::derived of `" << type_name<Function>()
+      << "` takes the input `" << Port.view() << "`, whose value it is, and got ";
+    if constexpr (requires { Other::name; }) m << "`" << Other::name << "`";
+    else m << "a `" << type_name<Other>() << "`";
+    m << ": for the value of another sample call `anew`";
+  }
 };
 
 template <class Function, class... Before>
@@ -191,10 +206,13 @@ public:
   derived(const derived& other) : known(other.known == other.own() ? nullptr : other.known) {}
   derived& operator=(const derived&) = delete;
 
-  template <class Space>
-  CCA_INLINE const value& of(const sample<Space>& shown) const {
-    if (known == nullptr) [[unlikely]]
-      return anew(shown);
+  template <class Shown>
+  CCA_INLINE const value& of(const Shown& shown) const {
+    static_assert(detail::holds_or_tells<detail::Shows<Shown, Port>,
+                                         detail::derived_of_other<Function, Port, Shown>>::value);
+    if constexpr (detail::Shows<Shown, Port>)
+      if (known == nullptr) [[unlikely]]
+        return anew(shown);
     return *known;
   }
   // Where it is called, a beat does not take it for likely.
