@@ -25,8 +25,10 @@
 #include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
+#include <cca/sim/rollouts.hpp>
 
-#include "../trot/report/parallel.hpp"
+#include "../trot/report/engine.hpp"
 #include "../trot/report/progress.hpp"
 #include "../trot/report/statistics.hpp"
 #include "evolution.hpp"
@@ -35,6 +37,11 @@
 #include "worth.hpp"
 
 namespace {
+
+// A pupil in each engine, and its school.
+struct school : walking::school<cca::sim::oncilla> {};
+struct compiled_school : walking::school<cca::sim::compiled_oncilla> {};
+struct compiled_walk : walking::architecture<cca::sim::compiled_oncilla> {};
 
 using parameters = walking::policy::network::parameters;
 constexpr int judged = 1000;                     // walking_policy_seeds begins there
@@ -47,6 +54,7 @@ struct options {
   int rounds = 3, runs = 12, passes = 30, generations = 20, directions = 12, reviews = 8;
   double seconds = 8, noise = 0.015, step = 0.003;
   bool quick = false, quiet = false;
+  trot::engine engine = trot::engine::ode;
 
   void offer(cca::command_line& line) {
     line.text("--out FILE", out, "the weights (walk.policy)");
@@ -62,7 +70,8 @@ struct options {
     line.number("--seconds S", seconds, 3, 100, "of a run, simulated (8)");
     line.flag("--quick", quick, "a few short runs, to try the program");
     line.flag("--quiet", quiet, "no progress bar");
-    cca::offer_descriptions<cca::controller<walking::school>>(line);
+    trot::offer_engine(line, engine);
+    cca::offer_descriptions<cca::controller<school>>(line);
   }
   int disturbances() const { return reviews + rounds * runs + generations; }
   void shorten() {
@@ -76,6 +85,7 @@ struct trial {
   double speed;
 };
 
+template <class Walk, class School>
 class training {
 public:
   explicit training(const options& o)
@@ -133,31 +143,32 @@ private:
   // Runs of the teacher or of the policy, each with a disturbance of its own; the lessons in the order of the
   // runs.
   std::vector<walking::lesson> attend(bool by_teacher) {
-    cca::controller<walking::school> start;
-    start.get<"gait.policy">().weights = weights_;
-    if (by_teacher) start.get<"gait.policy">().weights.weights[0] = 1;  // it does not drive
-    start.get<"driver">().by_teacher = by_teacher;
+    cca::controller<School> start;
+    start.template get<"gait.policy">().weights = weights_;
+    if (by_teacher) start.template get<"gait.policy">().weights.weights[0] = 1;  // it does not drive
+    start.template get<"driver">().by_teacher = by_teacher;
     start.load();
     std::vector<trial> trials;
     for (int i = 0; i < o_.runs; ++i) trials.push_back(draw());
-    std::vector<std::vector<walking::lesson>> kept(trials.size());
-    std::vector<char> fell(trials.size(), 0);
-    on_all_cores(trials.size(), "imitation", [&](std::size_t i) {
+    struct attended {
+      std::vector<walking::lesson> lessons;
+      bool fell;
+    };
+    const std::vector<attended> runs = rollouts(trials.size(), "imitation", [&](std::size_t i) {
       ++runs_;
-      cca::controller<walking::school> c = start;
+      cca::controller<School> c = start;
       walking::command_speed(c, trials[i].speed);
-      c.get<"notebook">().lessons.reserve(trot::beats_in(o_.seconds) / walking::period);
+      c.template get<"notebook">().lessons.reserve(trot::beats_in(o_.seconds) / walking::period);
       const auto run = walking::roll_out(c, cca::sim::terrain::flat(),
                                          cca::sim::disturbance::from_seed(trials[i].seed, o_.seconds),
                                          o_.seconds, [&] { return !interrupted_; });
-      kept[i] = c.get<"notebook">().lessons;
-      fell[i] = run.fell;
+      return attended{c.template get<"notebook">().lessons, run.fell};
     });
     std::vector<walking::lesson> all;
     falls_ = 0;
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-      all.insert(all.end(), kept[i].begin(), kept[i].end());
-      falls_ += fell[i] != 0;
+    for (const attended& run : runs) {
+      all.insert(all.end(), run.lessons.begin(), run.lessons.end());
+      falls_ += run.fell;
     }
     return all;
   }
@@ -175,8 +186,8 @@ private:
     for (int generation = 1; generation <= o_.generations && !interrupted_; ++generation) {
       const auto points = search.ask();
       const trial same = draw();  // for all points of the generation
-      std::vector<double> values(points.size());
-      on_all_cores(points.size(), "evolution", [&](std::size_t i) { values[i] = worth(points[i], same); });
+      const std::vector<double> values =
+          rollouts(points.size(), "evolution", [&](std::size_t i) { return worth(points[i], same); });
       if (interrupted_) break;
       search.tell(values);
       if (generation % review_every != 0 && generation != o_.generations) continue;
@@ -198,8 +209,8 @@ private:
 
   double worth(const Eigen::VectorXd& last, const trial& t) {
     ++runs_;
-    walking::controller c;
-    c.get<"gait.policy">().weights = with(last);
+    cca::controller<Walk> c;
+    c.template get<"gait.policy">().weights = with(last);
     c.load();
     walking::command_speed(c, t.speed);
     return walking::worth(
@@ -211,23 +222,19 @@ private:
 
   // The same trials each time, so that their means can be compared.
   double review(const Eigen::VectorXd& last) {
-    std::vector<double> values(review_.size());
-    on_all_cores(values.size(), "review", [&](std::size_t i) { values[i] = worth(last, review_[i]); });
+    const std::vector<double> values =
+        rollouts(review_.size(), "review", [&](std::size_t i) { return worth(last, review_[i]); });
     double sum = 0;
     for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());
   }
 
-  template <class Job>
-  void on_all_cores(std::size_t count, const char* what, Job job) {
-    trot::on_all_cores(
-        count,
-        [&](std::size_t i) {
-          if (!interrupted_) job(i);
-        },
-        [&](std::size_t done) {
-          bar_.show(0.999 * static_cast<double>(done) / static_cast<double>(count), what);
-        });
+  template <class Run>
+  auto rollouts(std::size_t count, const char* what, Run run) {
+    const auto show = [&, what](std::size_t over) {
+      bar_.show(0.999 * static_cast<double>(over) / static_cast<double>(count), what);
+    };
+    return cca::sim::rollouts(count, run, {.over = show, .stops = [&] { return bool(interrupted_); }});
   }
 
   template <class... Values>
@@ -262,6 +269,7 @@ int main(int count, char** words) {
     if (o.disturbances() >= judged)
       throw cca::command_line_error("this takes the disturbances 1 to " + std::to_string(o.disturbances()) +
                                     ": those from " + std::to_string(judged) + " on are for the judgement");
-    return training(o).run();
+    if (o.engine == trot::engine::compiled) return training<compiled_walk, compiled_school>(o).run();
+    return training<walking::simulated, school>(o).run();
   });
 }

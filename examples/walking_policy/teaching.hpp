@@ -54,6 +54,7 @@ private:
 struct notebook : notebook_of<observations> {};
 
 // [school]
+template <class Robot>
 struct school : cca::graph<cca::rate<1000>,
                            cca::node<"gait", learned_gait>,
                            cca::node<"posture", trot::posture, cca::timed<period>>,
@@ -61,7 +62,7 @@ struct school : cca::graph<cca::rate<1000>,
                            cca::node<"driver", driver, cca::timed<1>>,
                            cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
                            cca::node<"notebook", notebook, cca::timed<1>>,
-                           cca::node<"robot", cca::sim::oncilla>,
+                           cca::node<"robot", Robot>,
 
                            cca::wire<"robot.orientation", "gait.orientation", cca::latest>,
                            cca::wire<"robot.angular_velocity", "gait.rates", cca::latest>,

@@ -20,7 +20,9 @@
 #include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
 
+#include "../../examples/trot/report/engine.hpp"
 #include "../../examples/trot/report/file.hpp"
 #include "../../examples/trot/report/json.hpp"
 #include "../../examples/trot/report/progress.hpp"
@@ -28,11 +30,14 @@
 
 namespace {
 
+struct compiled_trot : trot::architecture<cca::sim::compiled_oncilla> {};
+
 struct options {
   std::string config, summary;
   std::vector<std::string> grounds{"flat", "slope:6", "slope:-6", "steps:6"};
   double seconds = 3600;
   std::uint64_t seed = 0;
+  trot::engine engine = trot::engine::ode;
 };
 
 void offer(cca::command_line& line, options& o) {
@@ -46,6 +51,7 @@ void offer(cca::command_line& line, options& o) {
       "one ground only: flat, slope[:degrees] or steps[:millimetres]");
   line.number("--seconds S", o.seconds, 1, 86400, "on each ground, simulated (3600)");
   line.whole_number("--seed N", o.seed, 0, "the disturbances (0)");
+  trot::offer_engine(line, o.engine);
   line.text("--summary FILE", o.summary, "falls, way and memory as one JSON array");
   cca::offer_descriptions<trot::trotting>(line, [&o](trot::trotting& c) {
     if (!o.config.empty()) cca::read_parameters(c, o.config);
@@ -71,23 +77,24 @@ struct result {
   bool memory_grew() const { return memory_at_last > memory_at_first + 1; }
 };
 
-result run(const trot::trotting& start,
+template <class Controller>
+result run(const Controller& start,
            const options& o,
            const std::string& ground,
            const cca::interruption& interrupted) {
   constexpr double minute = 60;
-  trot::trotting controller = start;
+  Controller controller = start;
   const auto shape = cca::sim::terrain::named(ground);
-  auto& simulator = controller.get<"robot.simulator">();
+  auto& simulator = controller.template get<"robot.simulator">();
   const auto disturbance_from = [&](int minutes) {
     auto d = cca::sim::disturbance::from_seed(o.seed + static_cast<std::uint64_t>(minutes), minute);
     for (auto& push : d.pushes) push.start += minute * minutes;
     return d;
   };
   const auto first = disturbance_from(0);
-  simulator.put_down(
-      cca::sim::world(shape.with_friction(first.friction), trot::put_down(controller.get<"gait">().p, first)),
-      first);
+  simulator.put_down(trot::world_of<Controller>(shape.with_friction(first.friction),
+                                                trot::put_down(controller.template get<"gait">().p, first)),
+                     first);
   const cca::sim::vector3 began = simulator.world().trunk_position();
   result r{.ground = ground};
   trot::progress_bar bar(ground);
@@ -95,7 +102,7 @@ result run(const trot::trotting& start,
   controller.start();
   const auto beats = std::llround(o.seconds * 1000), beats_a_minute = std::llround(minute * 1000);
   for (long long k = 1; k <= beats && !r.fell && !interrupted && controller.step(); ++k) {
-    const cca::sim::world& world = simulator.world();
+    const auto& world = simulator.world();
     r.fell = world.fallen();
     if (k % beats_a_minute != 0) continue;
     const int minutes = static_cast<int>(k / beats_a_minute);
@@ -115,9 +122,10 @@ result run(const trot::trotting& start,
   return r;
 }
 
+template <class Trot>
 int run(const options& o) {
   const cca::interruption interrupted;  // ctrl-c: the figures are of what it has walked
-  trot::trotting start;
+  cca::controller<Trot> start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
   trot::json all = trot::json::array();
@@ -154,5 +162,7 @@ int main(int count, char** words) {
   options o;
   cca::command_line line("the trot for an hour, on flat ground, up a slope, down a slope and up steps");
   offer(line, o);
-  return cca::run_program(count, words, line, [&] { return run(o); });
+  return cca::run_program(count, words, line, [&] {
+    return o.engine == trot::engine::compiled ? run<compiled_trot>(o) : run<trot::simulated_trot>(o);
+  });
 }

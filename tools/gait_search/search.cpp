@@ -21,14 +21,18 @@
 #include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
+#include <cca/sim/rollouts.hpp>
 
 #include "cma_es.hpp"
-#include "../../examples/trot/report/parallel.hpp"
+#include "../../examples/trot/report/engine.hpp"
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/report/statistics.hpp"
 
 namespace {
+
+struct compiled_trot : trot::architecture<cca::sim::compiled_oncilla> {};
 
 constexpr int parameter_count = 14;
 
@@ -97,20 +101,21 @@ double worth(const trot::statistics& s, double duty, const trial& t) {
 }
 
 // `start` is a controller that is loaded and not started; each run takes a copy of it.
-double worth(const trot::trotting& start,
+template <class Controller>
+double worth(const Controller& start,
              const searched& what,
              const std::vector<trial>& trials,
              int generation,
              const cca::interruption& interrupted) {
   double sum = 0, worst = 1e9;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    trot::trotting controller = start;
-    controller.set<"cpg">(what.cpg);
-    controller.set<"gait">(what.gait);
+    Controller controller = start;
+    controller.template set<"cpg">(what.cpg);
+    controller.template set<"gait">(what.gait);
     const auto seed = 1000 + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
     const trial& t = trials[i];
     const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds),
-                                    t.seconds, [&](const cca::sim::world&, double) { return !interrupted; });
+                                    t.seconds, [&] { return !interrupted; });
     const double value = worth(trot::evaluate(run), what.gait.duty, t);
     sum += value;
     worst = std::min(worst, value);
@@ -123,6 +128,7 @@ struct options {
   int generations = 40, population = 12;
   double seconds = 7;
   std::uint64_t seed = 1;
+  trot::engine engine = trot::engine::ode;
 };
 
 void offer(cca::command_line& line, options& o) {
@@ -132,17 +138,19 @@ void offer(cca::command_line& line, options& o) {
   line.number("--population N", o.population, 4, 1e4, "gaits per generation (12)");
   line.number("--seconds S", o.seconds, 3, 1000, "of each run, simulated (7)");
   line.whole_number("--seed N", o.seed, 0, "of the search (1)");
+  trot::offer_engine(line, o.engine);
   cca::offer_descriptions<trot::trotting>(line, [&o](trot::trotting& c) {
     if (!o.config.empty()) cca::read_parameters(c, o.config);
   });
 }
 
+template <class Trot>
 int search(const options& o) {
   const cca::interruption interrupted;  // ctrl-c: the best gait so far is written
-  trot::trotting start;
+  cca::controller<Trot> start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
-  const searched first{start.get<"cpg">().p, start.get<"gait">().p};
+  const searched first{start.template get<"cpg">().p, start.template get<"gait">().p};
   const std::vector<trial> trials{{cca::sim::terrain::flat(), o.seconds, 0.72},
                                   {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.66},
                                   {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.66},
@@ -157,21 +165,18 @@ int search(const options& o) {
     // The last point is the mean of the generation before: only means become the result.
     std::vector<Eigen::VectorXd> points = evolution.ask();
     points.push_back(evolution.mean());
-    std::vector<double> values(points.size());
-    trot::on_all_cores(
-        points.size(),
-        [&](std::size_t i) {
-          const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
-          values[i] =
-              worth(start, at_point(first, points[i]), trials, draw, interrupted) - outside(points[i]);
-        },
-        [&](std::size_t finished) {
-          char note[80];
-          std::snprintf(note, sizeof note, "generation %d, best %.3f, step %.3f", generation + 1, best_worth,
-                        evolution.step());
-          bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(finished)) / total,
-                   note);
-        });
+    const auto value = [&](std::size_t i) {
+      const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
+      return worth(start, at_point(first, points[i]), trials, draw, interrupted) - outside(points[i]);
+    };
+    const auto show = [&](std::size_t over) {
+      char note[80];
+      std::snprintf(note, sizeof note, "generation %d, best %.3f, step %.3f", generation + 1, best_worth,
+                    evolution.step());
+      bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(over)) / total, note);
+    };
+    std::vector<double> values =
+        cca::sim::rollouts(points.size(), value, {.over = show, .stops = [&] { return bool(interrupted); }});
     if (interrupted) break;  // these runs were cut short
     if (values.back() > best_worth) {
       best_worth = values.back();
@@ -182,9 +187,9 @@ int search(const options& o) {
   }
   bar.done();
 
-  trot::trotting found = start;
-  found.set<"cpg">(best.cpg);
-  found.set<"gait">(best.gait);
+  cca::controller<Trot> found = start;
+  found.template set<"cpg">(best.cpg);
+  found.template set<"gait">(best.gait);
   found.save(o.out);
   std::cout << "worth " << best_worth << "; written to " << o.out << '\n';
   if (interrupted) std::cerr << "trot_search: interrupted; this is the best so far\n";
@@ -197,5 +202,7 @@ int main(int count, char** words) {
   options o;
   cca::command_line line("searches gait parameters that make the robot fast and steady, on all cores");
   offer(line, o);
-  return cca::run_program(count, words, line, [&] { return search(o); });
+  return cca::run_program(count, words, line, [&] {
+    return o.engine == trot::engine::compiled ? search<compiled_trot>(o) : search<trot::simulated_trot>(o);
+  });
 }

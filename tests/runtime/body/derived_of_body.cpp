@@ -160,7 +160,7 @@ TEST_SUITE("derived of a body") {
     CHECK(torques_at(1e13) != torques_at(2e12 / 3));
   }
   TEST_CASE("of a space with the axes in another order") {
-    const cca::sample<other_angles> q(Eigen::Vector3d(0.3, 0.1, 0.2), 0);  // j3, j1, j2
+    const cca::in<"angles", other_angles> q(Eigen::Vector3d(0.3, 0.1, 0.2), 0, true);  // j3, j1, j2
     const cca::body_pose<body> now(Eigen::Vector3d(0.1, 0.2, 0.3));
     CHECK(cca::pose_of<body>::of(q).tip<"arm">().at == now.tip<"arm">().at);
     const cca::derived<cca::end_of<body, "arm">, "angles"> tip;

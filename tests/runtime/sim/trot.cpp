@@ -16,12 +16,12 @@
 #include <doctest/doctest.h>
 
 #include <cca/config.hpp>
+#include <cca/sim/rollouts.hpp>
 
 #include "../../../tools/gait_search/cma_es.hpp"
 #include "../../../examples/trot/report/bounds.hpp"
 #include "../../../examples/trot/report/command_line.hpp"
 #include "../../../examples/trot/report/csv.hpp"
-#include "../../../examples/trot/report/parallel.hpp"
 #include "../../../examples/trot/rollout.hpp"
 #include "../../../examples/trot/report/statistics.hpp"
 #include "../../../examples/trot/report/summary.hpp"
@@ -99,14 +99,10 @@ TEST_SUITE("trot") {
     const std::array hards{hard{"slope:6", 2},  hard{"slope:6", 15},  hard{"slope:-6", 1},
                            hard{"slope:-6", 4}, hard{"slope:-6", 16}, hard{"steps:6", 2},
                            hard{"steps:6", 4},  hard{"flat", 10},     hard{"flat", 12}};
-    std::vector<trot::statistics> all(hards.size());
-    trot::on_all_cores(
-        all.size(),
-        [&](std::size_t i) {
-          all[i] = trot::evaluate(
-              run(20, hards[i].seed, trot::throttle{}.p.speed, cca::sim::terrain::named(hards[i].ground)));
-        },
-        [](std::size_t) {});
+    const std::vector<trot::statistics> all = cca::sim::rollouts(hards.size(), [&](std::size_t i) {
+      return trot::evaluate(
+          run(20, hards[i].seed, trot::throttle{}.p.speed, cca::sim::terrain::named(hards[i].ground)));
+    });
     const double commanded = trot::gait{}.p.duty;
     for (std::size_t i = 0; i < all.size(); ++i) {
       CAPTURE(hards[i].ground);
@@ -120,9 +116,8 @@ TEST_SUITE("trot") {
   }
 
   TEST_CASE("ten disturbances, 20 s each: no fall, 0.6 m/s, straight") {
-    std::vector<trot::statistics> all(10);
-    trot::on_all_cores(
-        all.size(), [&](std::size_t seed) { all[seed] = trot::evaluate(run(20, seed)); }, [](std::size_t) {});
+    const std::vector<trot::statistics> all =
+        cca::sim::rollouts(10, [](std::size_t seed) { return trot::evaluate(run(20, seed)); });
     for (std::size_t seed = 0; seed < all.size(); ++seed) {
       CAPTURE(seed);
       const trot::statistics& s = all[seed];

@@ -1,0 +1,110 @@
+// Many independent runs on all cores: of other seeds, parameters, grounds, whatever differs.
+//
+//   const std::vector<double> distances = cca::sim::rollouts(100, [&](std::size_t i) {
+//     auto c = start;                    // a controller with its world is a value
+//     c.template get<"robot.simulator">().put_down(world_of(i));
+//     c.start();
+//     c.run(cca::for_<20>{});
+//     return distance(c);
+//   });
+//
+// What run(i) has returned stands at i. A run that depends on nothing but `i`, and on what no run changes,
+// gives the same bits on any number of threads.
+//
+// Errors: an exception of a run ends all: no further run begins, those under way end, and it is thrown to the
+// caller (of several that of the lowest number).
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace cca::sim {
+
+struct rollout_settings {
+  unsigned threads = 0;                     // 0: one for each core
+  std::function<void(std::size_t)> over{};  // told how many runs are over, from one thread at a time
+  std::function<bool()> stops{};            // asked by all threads; once true, no further run begins
+};
+
+namespace detail {
+
+// The runs of one call that no thread has taken yet, and the first that failed.
+class shared_rollouts {
+public:
+  shared_rollouts(std::size_t count, const rollout_settings& s) : count(count), s(s) {}
+
+  template <class Run>
+  void work(Run& run) {
+    for (std::size_t i; !is_stopped() && (i = next++) < count;) {
+      try {
+        run(i);
+        tell();
+      } catch (...) { failed(i); }
+    }
+  }
+  // What begins no further run. What a run returns that is cut short is not kept.
+  bool is_stopped() const { return has_failed || (s.stops && s.stops()); }
+  void rethrow() const {
+    if (error) std::rethrow_exception(error);
+  }
+
+private:
+  void tell() {
+    if (!s.over) return;
+    const std::lock_guard lock(telling);
+    s.over(++finished);
+  }
+  void failed(std::size_t i) {
+    const std::lock_guard lock(telling);
+    if (!error || i < failed_at) error = std::current_exception(), failed_at = i;
+    has_failed = true;
+  }
+
+  const std::size_t count;
+  const rollout_settings& s;
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> has_failed = false;
+  std::mutex telling;
+  std::size_t finished = 0, failed_at = 0;
+  std::exception_ptr error;
+};
+
+}  // namespace detail
+
+// run(0) to run(count - 1), each once, `threads` at a time, this one among them. Returns what they returned,
+// in their order; without those that `settings.stops` left out or cut short, so the vector is shorter then.
+template <class Run>
+auto rollouts(std::size_t count, Run run, const rollout_settings& settings = {}) {
+  using result = std::invoke_result_t<Run&, std::size_t>;
+  static_assert(!std::is_void_v<result> && !std::is_reference_v<result>,
+                "cca::sim::rollouts: a run returns what is to be kept of it, as a value");
+  std::vector<std::optional<result>> kept(count);
+  detail::shared_rollouts all(count, settings);
+  const auto keep = [&](std::size_t i) {
+    result one = run(i);
+    if (!settings.stops || !settings.stops()) kept[i].emplace(std::move(one));
+  };
+  {
+    const std::size_t cores = settings.threads > 0 ? settings.threads : std::thread::hardware_concurrency();
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < std::min(cores, count); ++t) others.emplace_back([&] { all.work(keep); });
+    all.work(keep);
+  }
+  all.rethrow();
+  std::vector<result> over;
+  over.reserve(count);
+  for (auto& one : kept)
+    if (one) over.push_back(*std::move(one));
+  return over;
+}
+
+}  // namespace cca::sim
