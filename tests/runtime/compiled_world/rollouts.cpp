@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -113,7 +116,22 @@ TEST_SUITE("rollouts") {
     }
   }
 
-  TEST_CASE("an exception ends all, and is that of the lowest number") {
+  TEST_CASE("of two exceptions that of the lower number is thrown, also if it came later") {
+    std::atomic<bool> second_is_leaving = false;
+    const auto both_fail = [&](std::size_t i) {
+      if (i == 1) {
+        second_is_leaving = true;
+        throw std::runtime_error("run 1");
+      }
+      while (!second_is_leaving) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      if (i == 0) throw std::runtime_error("run 0");
+      return i;
+    };
+    CHECK_THROWS_WITH_AS(sim::rollouts(2, both_fail, {.threads = 2}), "run 0", std::runtime_error);
+  }
+
+  TEST_CASE("an exception ends all") {
     for (const unsigned threads : {1u, 4u}) {
       std::atomic<int> under_way = 0;
       std::atomic<std::size_t> begun = 0;
