@@ -10,8 +10,12 @@
 // EXPECT derived_from_itself: component\.bad_parameter: `half` stands in a cca::derived, and builds on its own value: take it out of the `cca::from` of those on which it builds
 // EXPECT derived_of_port: component\.bad_parameter: `of_port` makes no `double` of `sample<signal>`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
 // EXPECT derived_of_two: component\.bad_parameter: `of_two` makes no `double` of `double` and `double`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
-// EXPECT derived_of_other_input: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got `other`: for the value of another sample call `anew`
-// EXPECT derived_of_sample: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got a `sample<signal>`: for the value of another sample call `anew`
+// EXPECT derived_of_other_input: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got `other`: name the input alike in both, or for the value of another sample call `anew`
+// EXPECT derived_of_sample: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got a `sample<signal>`: name the input alike in both, or for the value of another sample call `anew`
+// EXPECT derived_view: component\.bad_parameter: the value of `view` is `Ref<const Matrix<double, 1, 1>>`: a cca::derived keeps a value of its own, so state a type that owns its numbers, no pointer, reference, view or expression
+// EXPECT derived_nothing: component\.bad_parameter: the value of `nothing` is `void`: a cca::derived keeps a value of its own, so state a type that owns its numbers, no pointer, reference, view or expression
+// EXPECT derived_narrow: component\.bad_parameter: `narrow` makes `double` and no `int` of `sample<signal>`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
+// EXPECT derived_no_list: component\.bad_parameter: the `from` of `no_list` is `number`: write `using from = cca::from<\.\.\.>;` with the functions on whose values it builds
 // EXPECT twice_limited: space\.bad_limits: a `cca::limits` lists `angle` twice: state one range for each quantity
 // EXPECT never_stopped: strategy\.not_stoppable: the component `walk\.step` \(step\) of walking can not be stopped on its own: write `cca::stoppable<\.\.\.>` around its strategy
 // EXPECT never_stopped_graph: strategy\.not_stoppable: the inner graph `walk` of walking can not be stopped on its own: write `cca::stoppable<>` behind the graph
@@ -76,6 +80,23 @@ struct of_two {
   using value = double;
   using from = cca::from<number, number>;
   static value of(double one) { return one; }
+};
+struct view {
+  using value = Eigen::Ref<const signal::vector_type>;
+  static value of(const auto& x) { return x.vector(); }
+};
+struct nothing {
+  using value = void;
+  static void of(const auto&) {}
+};
+struct narrow {
+  using value = int;
+  static double of(const auto& x) { return x.vector()[0]; }
+};
+struct no_list {
+  using value = double;
+  using from = number;
+  static double of(double x) { return x; }
 };
 struct sink {
   void process(cca::in<"x", signal>) {}
@@ -152,6 +173,14 @@ template <class T>
 using derived_of_other_input = decltype(derive<number>(std::declval<late<cca::in<"other", signal>, T>>()));
 template <class T>
 using derived_of_sample = decltype(derive<number>(std::declval<late<cca::sample<signal>, T>>()));
+template <class T>
+using derived_view = cca::derived<late<view, T>, "x">;
+template <class T>
+using derived_nothing = cca::derived<late<nothing, T>, "x">;
+template <class T>
+using derived_narrow = decltype(derive<narrow>(std::declval<late<cca::in<"x", signal>, T>>()));
+template <class T>
+using derived_no_list = cca::derived<late<no_list, T>, "x">;
 template <class T>
 using twice_limited = cca::limits<late<cca::angle, T>, cca::angle>;
 template <class T>

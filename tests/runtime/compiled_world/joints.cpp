@@ -37,10 +37,14 @@ struct wheel {
 };
 
 template <class R>
-sim::compiled_world<R> world(double q, double dq, int steps = 2) {
+sim::compiled_world<R> world_of(int steps) {
   sim::robot_world_settings s;
   s.steps_per_beat = steps;
-  sim::compiled_world<R> w(s);
+  return sim::compiled_world<R>(s);
+}
+template <class R>
+sim::compiled_world<R> world(double q, double dq, int steps = 2) {
+  auto w = world_of<R>(steps);
   w.place({q}, {dq});
   return w;
 }
@@ -125,6 +129,32 @@ std::array<sim::joint_law, 16> treading(double t) {
   return laws;
 }
 
+// What the motor moves is so light that one step of its law leads beyond its no-load speed.
+using light = wheel<robots::joint_drive{.motor = {200, 1.7}, .stops = false}>;
+struct light_arm : limp_arm {
+  static constexpr auto drives = [] {
+    auto all = limp_arm::drives;
+    for (auto& d : all) d.motor = {60, 2};
+    return all;
+  }();
+};
+// By random servos, and by random torques.
+numbers<light_arm> moved(std::uint64_t seed, int steps) {
+  laws::source random{std::mt19937_64(seed)};
+  std::array<sim::joint_law, 7> laws;
+  for (sim::joint_law& l : laws) {
+    l = {.position = random(-0.4, 0.4), .stiffness = 60 * std::exp(random(0, 4.5))};
+    l.damping = l.stiffness * random(0.02, 0.1);
+    if (seed % 4 == 0) l = {.torque = random(-60, 60), .damping = 0.5};
+  }
+  auto w = world_of<light_arm>(steps);
+  for (int beat = 0; beat < 300; ++beat) w.advance(laws);
+  numbers<light_arm> q;
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = w.joints()[i].angle;
+  CHECK(!w.trouble());
+  return q;
+}
+
 }  // namespace
 
 TEST_SUITE("compiled world: joints") {
@@ -152,6 +182,36 @@ TEST_SUITE("compiled world: joints") {
     run(w, {.torque = -50}, 1);  // it brakes with its full torque
     CHECK(w.joints()[0].torque == doctest::Approx(-2));
     CHECK(w.absolute_work() > w.positive_work());
+  }
+
+  TEST_CASE("a strong motor on a light joint reaches its target, and its no-load speed and no more") {
+    for (const int steps : {1, 2, 4, 8, 16}) {
+      CAPTURE(steps);
+      for (const double stiffness : {200.0, 500.0, 1000.0, 4000.0}) {
+        for (const double target : {0.1, -0.1}) {
+          auto w = world<light>(0, 0, steps);
+          run(w, {.position = target, .stiffness = stiffness, .damping = 0.05 * stiffness}, 2000);
+          CHECK(w.joints()[0].angle == doctest::Approx(target).epsilon(1e-4));
+        }
+      }
+      for (const double torque : {0.5, 5.0, 20.0, 100.0, 190.0, 500.0}) {
+        for (const double way : {1.0, -1.0}) {
+          auto w = world<light>(0, 0, steps);
+          run(w, {.torque = way * torque}, 500);
+          CHECK(w.joints()[0].velocity == doctest::Approx(way * 1.7).epsilon(1e-3));
+        }
+      }
+    }
+  }
+
+  TEST_CASE("an arm of strong motors and light joints moves as with small steps") {
+    double most = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      const numbers<light_arm> coarse = moved(seed, 4), fine = moved(seed, 64);
+      for (std::size_t i = 0; i < fine.size(); ++i) most = std::max(most, std::abs(coarse[i] - fine[i]));
+    }
+    MESSAGE("largest difference: ", most, " rad");
+    CHECK(most < 0.01);
   }
 
   TEST_CASE("a servo of any stiffness reaches its target and stays there") {

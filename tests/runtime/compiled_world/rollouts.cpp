@@ -116,6 +116,28 @@ TEST_SUITE("rollouts") {
     }
   }
 
+  TEST_CASE("once it is to stop, what is left still stands at its number") {
+    std::atomic<bool> stop = false;
+    const auto first_is_slow = [&](std::size_t i) {
+      while (i == 2 && !stop) std::this_thread::yield();
+      if (i == 9) stop = true;
+      return i;
+    };
+    CHECK_EQ(sim::rollouts(20, first_is_slow, {.threads = 2, .stops = [&] { return stop.load(); }}), to(2));
+  }
+
+  TEST_CASE("what the settings have may throw, too") {
+    for (const unsigned threads : {1u, 4u}) {
+      const auto same = [](std::size_t i) { return i; };
+      const auto stops = []() -> bool { throw std::runtime_error("asked"); };
+      const auto over = [](std::size_t n) { n > 5 ? throw std::runtime_error("told") : void(); };
+      CHECK_THROWS_WITH_AS(sim::rollouts(9, same, {.threads = threads, .stops = stops}), "asked",
+                           std::runtime_error);
+      CHECK_THROWS_WITH_AS(sim::rollouts(9, same, {.threads = threads, .over = over}), "told",
+                           std::runtime_error);
+    }
+  }
+
   TEST_CASE("of two exceptions that of the lower number is thrown, also if it came later") {
     std::atomic<bool> second_is_leaving = false;
     const auto both_fail = [&](std::size_t i) {

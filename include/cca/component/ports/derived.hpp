@@ -11,8 +11,9 @@
 // A function may build on others: with `using from = cca::from<A, B>;` its `of` takes the values of A and B,
 // which are shared, too. `of` must depend on nothing but the coordinates of the sample.
 //
-//   length.of(felt)       the value. `of` takes that input only. Outside of a beat, where `process` is called by hand
-//                         with `{}` for this parameter, it is computed here
+//   length.of(felt)       the value. `of` takes that input only, as it came: the value of one that you have changed,
+//                         or made yourself, is `anew`'s. Outside of a beat, where `process` is called by hand with
+//                         `{}` for this parameter, it is computed here
 //   length.anew(other)    of another sample instead, for a component that does not take the input as it is
 //
 // Inputs of one output share it if their wires have neither a delay nor a queue: they show the same sample.
@@ -64,6 +65,39 @@ struct value_with_destructor {
 };
 
 template <class Function>
+struct value_elsewhere {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: the value of `" << type_name<Function>() << "` is `"
+      << type_name<typename Function::value>()
+      << "`: a cca::derived keeps a value of its own, so state a type that owns its numbers, no pointer, "
+         "reference, view or expression";
+  }
+};
+// It refers to numbers that somebody else owns, or is nothing.
+template <class Value>
+constexpr bool is_elsewhere() {
+  if constexpr (!std::is_object_v<Value> || std::is_pointer_v<Value>) return true;
+  else if constexpr (requires { typename Value::PlainObject; })  // Eigen's
+    return !std::is_same_v<Value, typename Value::PlainObject>;
+  else return requires { typename Value::element_type; } || std::is_same_v<Value, std::string_view>;  // spans
+}
+
+template <class Function>
+struct builds_on_no_list {
+  static constexpr void tell(text& m) {
+    m << "component.bad_parameter: the `from` of `" << type_name<Function>() << "` is `"
+      << type_name<typename Function::from>() << "`: write `using from = cca::from<...>;` with the functions "
+      << "on whose values it builds";
+  }
+};
+template <class Type>
+inline constexpr bool is_from = false;
+template <class... Functions>
+inline constexpr bool is_from<from<Functions...>> = true;
+template <class Function> concept StatesFrom = requires { typename Function::from; };
+template <class Function> concept BuildsOnOthers = StatesFrom<Function> && is_from<typename Function::from>;
+
+template <class Function>
 struct builds_on_itself {
   static constexpr void tell(text& m) {
     m << "component.bad_parameter: `" << type_name<Function>()
@@ -75,15 +109,25 @@ struct builds_on_itself {
 template <class Function, class... Given>
 struct makes_no_value {
   static constexpr void tell(text& m) {
-    m << "component.bad_parameter: `" << type_name<Function>() << "` makes no `"
-      << type_name<typename Function::value>() << "` of";
+    m << "component.bad_parameter: `" << type_name<Function>() << "` makes ";
+    if constexpr (requires(const Given&... given) { Function::of(given...); })
+      m << "`" << type_name<decltype(Function::of(std::declval<const Given&>()...))>() << "` and ";
+    m << "no `" << type_name<typename Function::value>() << "` of";
     const char* before = " `";
     ((m << before << type_name<Given>() << "`", before = " and `"), ...);
     m << ": a cca::derived needs a function `static value of(...)` for that";
   }
 };
+// Numbers of a kind that can't hold all of them.
+template <class Made, class Value>
+inline constexpr bool loses_numbers =
+    std::is_arithmetic_v<Made> && std::is_arithmetic_v<Value> &&
+    ((std::is_floating_point_v<Made> && !std::is_floating_point_v<Value>) ||
+     (std::is_floating_point_v<Made> == std::is_floating_point_v<Value> && sizeof(Value) < sizeof(Made)));
+template <class Made, class Value> concept Becomes =
+    std::convertible_to<Made, Value> && !loses_numbers<std::remove_cvref_t<Made>, Value>;
 template <class Function, class... Given> concept MakesValueOf = requires(const Given&... given) {
-  { Function::of(given...) } -> std::convertible_to<typename Function::value>;
+  { Function::of(given...) } -> Becomes<typename Function::value>;
 };
 
 // An input of this name: cca/component/port.hpp.
@@ -97,7 +141,7 @@ struct derived_of_other {
       << "` takes the input `" << Port.view() << "`, whose value it is, and got ";
     if constexpr (requires { Other::name; }) m << "`" << Other::name << "`";
     else m << "a `" << type_name<Other>() << "`";
-    m << ": for the value of another sample call `anew`";
+    m << ": name the input alike in both, or for the value of another sample call `anew`";
   }
 };
 
@@ -110,7 +154,7 @@ constexpr bool one_reaches_itself(from<Functions...>, from<Before...>) {
 template <class Function, class... Before>
 constexpr bool reaches_itself() {
   if constexpr ((std::is_same_v<Function, Before> || ...)) return true;
-  else if constexpr (requires { typename Function::from; })
+  else if constexpr (BuildsOnOthers<Function>)
     return one_reaches_itself(typename Function::from{}, from<Function, Before...>{});
   else return false;
 }
@@ -132,8 +176,7 @@ template <class Function>
 struct from_of {
   using type = from<>;
 };
-template <class Function>
-  requires requires { typename Function::from; }
+template <BuildsOnOthers Function>
 struct from_of<Function> {
   using type = typename Function::from;
 };
@@ -144,18 +187,25 @@ struct judged_function;
 template <class Function, class... Before>
 struct judged_function<Function, from<Before...>> {
   static constexpr bool has_value = DerivesValue<Function>;
+  static constexpr bool is_owned = [] {
+    if constexpr (has_value) return !is_elsewhere<typename Function::value>();
+    else return true;
+  }();
   static constexpr bool is_plain = [] {
-    if constexpr (has_value) return std::is_trivially_destructible_v<typename Function::value>;
+    if constexpr (has_value && is_owned) return std::is_trivially_destructible_v<typename Function::value>;
     else return true;
   }();
   static constexpr bool is_circular = reaches_itself<Function>();
-  static constexpr bool is_right = has_value && is_plain && !is_circular;
+  static constexpr bool has_list = !StatesFrom<Function> || BuildsOnOthers<Function>;
+  static constexpr bool is_right = has_value && is_owned && is_plain && has_list && !is_circular;
   static constexpr bool makes_one = [] {
     if constexpr (is_right && sizeof...(Before) > 0)
       return MakesValueOf<Function, typename value_of<Before>::type...>;
     else return true;
   }();
   static_assert(holds_or_tells<has_value, no_derived_value<Function>>::value);
+  static_assert(holds_or_tells<is_owned, value_elsewhere<Function>>::value);
+  static_assert(holds_or_tells<has_list, builds_on_no_list<Function>>::value);
   static_assert(holds_or_tells<is_plain, value_with_destructor<Function>>::value);
   static_assert(holds_or_tells<!is_circular, builds_on_itself<Function>>::value);
   static_assert(
@@ -178,8 +228,7 @@ CCA_INLINE typename Function::value value_from(const sample<Space>& s, from<Befo
 }
 template <class Function, class Space>
 CCA_INLINE typename Function::value value_for(const sample<Space>& s) {
-  if constexpr (requires { typename Function::from; })
-    return value_from<Function>(s, typename Function::from{});
+  if constexpr (BuildsOnOthers<Function>) return value_from<Function>(s, typename Function::from{});
   else {
     static_assert(holds_or_tells<MakesValueOf<Function, sample<Space>>,
                                  makes_no_value<Function, sample<Space>>>::value);

@@ -8,20 +8,22 @@
 //     return distance(c);
 //   });
 //
-// What run(i) has returned stands at i. A run that depends on nothing but `i`, and on what no run changes,
-// gives the same bits on any number of threads.
+// What run(i) has returned stands at i: a value that can be moved. A run that depends on nothing but `i`, and
+// on what no run changes, gives the same bits on any number of threads.
 //
-// Errors: an exception of a run ends all: no further run begins, those under way end, and it is thrown to the
-// caller (of several that of the lowest number).
+// Errors: an exception of a run, or of what the settings have, ends all: no further run begins, those under
+// way end, and it is thrown to the caller (of several that of the lowest number).
 #pragma once
 
 #include <algorithm>
 #include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -30,28 +32,36 @@
 namespace cca::sim {
 
 struct rollout_settings {
-  unsigned threads = 0;                     // 0: one for each core
+  unsigned threads = 0;  // 0: one for each core; where the system refuses one, those that there are go on
   std::function<void(std::size_t)> over{};  // told how many runs are over, from one thread at a time
-  std::function<bool()> stops{};            // asked by all threads; once true, no further run begins
+  std::function<bool()> stops{};            // asked by all threads at once; once true, no further run begins
 };
 
 namespace detail {
 
+template <class Run> concept ReturnsValue =
+    std::is_invocable_v<Run&, std::size_t> &&
+    std::move_constructible<std::invoke_result_t<Run&, std::size_t>> &&
+    std::is_object_v<std::invoke_result_t<Run&, std::size_t>> &&
+    !std::is_const_v<std::invoke_result_t<Run&, std::size_t>>;
+
 // The runs of one call that no thread has taken yet, and the first that failed.
 class shared_rollouts {
 public:
-  shared_rollouts(std::size_t count, const rollout_settings& s) : count(count), s(s) {}
+  shared_rollouts(std::size_t runs, const rollout_settings& settings) : count(runs), s(settings) {}
 
   template <class Run>
   void work(Run& run) {
-    for (std::size_t i; !is_stopped() && (i = next++) < count;) {
+    for (std::size_t i = 0; i < count;) {
+      i = count;
       try {
+        if (is_stopped() || (i = next++) >= count) return;
         run(i);
         tell();
       } catch (...) { failed(i); }
     }
   }
-  // What begins no further run. What a run returns that is cut short is not kept.
+  // No further run begins. What a run returns that is cut short is not kept.
   bool is_stopped() const { return has_failed || (s.stops && s.stops()); }
   void rethrow() const {
     if (error) std::rethrow_exception(error);
@@ -80,31 +90,37 @@ private:
 
 }  // namespace detail
 
-// run(0) to run(count - 1), each once, `threads` at a time, this one among them. Returns what they returned,
-// in their order; without those that `settings.stops` left out or cut short, so the vector is shorter then.
+// run(0) to run(count - 1), each once, `threads` at a time, this one among them. Returns what they returned:
+// that of run(i) stands at i. Once `settings.stops`, it is those before the first that did not begin or was
+// under way, so the vector is shorter then.
 template <class Run>
 auto rollouts(std::size_t count, Run run, const rollout_settings& settings = {}) {
-  using result = std::invoke_result_t<Run&, std::size_t>;
-  static_assert(!std::is_void_v<result> && !std::is_reference_v<result>,
-                "cca::sim::rollouts: a run returns what is to be kept of it, as a value");
-  std::vector<std::optional<result>> kept(count);
-  detail::shared_rollouts all(count, settings);
-  const auto keep = [&](std::size_t i) {
-    result one = run(i);
-    if (!settings.stops || !settings.stops()) kept[i].emplace(std::move(one));
-  };
-  {
-    const std::size_t cores = settings.threads > 0 ? settings.threads : std::thread::hardware_concurrency();
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min(cores, count); ++t) others.emplace_back([&] { all.work(keep); });
-    all.work(keep);
+  if constexpr (!detail::ReturnsValue<Run>) {
+    static_assert(detail::ReturnsValue<Run>,
+                  "cca::sim::rollouts: a run takes its number, and returns what is to be kept of it: a value "
+                  "that can be moved");
+  } else {
+    using result = std::invoke_result_t<Run&, std::size_t>;
+    std::vector<std::optional<result>> kept(count);
+    detail::shared_rollouts all(count, settings);
+    const auto keep = [&](std::size_t i) {
+      result one = run(i);
+      if (!settings.stops || !settings.stops()) kept[i].emplace(std::move(one));
+    };
+    {
+      const std::size_t cores = settings.threads > 0 ? settings.threads : std::thread::hardware_concurrency();
+      std::vector<std::jthread> others;
+      try {
+        for (std::size_t t = 1; t < std::min(cores, count); ++t) others.emplace_back([&] { all.work(keep); });
+      } catch (const std::system_error&) {}
+      all.work(keep);
+    }
+    all.rethrow();
+    std::vector<result> over;
+    over.reserve(count);
+    for (std::size_t i = 0; i < count && kept[i]; ++i) over.push_back(*std::move(kept[i]));
+    return over;
   }
-  all.rethrow();
-  std::vector<result> over;
-  over.reserve(count);
-  for (auto& one : kept)
-    if (one) over.push_back(*std::move(one));
-  return over;
 }
 
 }  // namespace cca::sim

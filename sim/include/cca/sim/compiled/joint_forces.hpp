@@ -22,7 +22,8 @@ namespace cca::sim::detail {
 template <class Real>
 struct answer {
   Real force{}, slope{};
-  Real side{};  // of what is limited: 1 at its upper limit, -1 at its lower one
+  Real side{};  // of what is limited, above 0 at its upper limit, below at its lower one: 1 the limit itself,
+                // 2 the falling line of a motor, 3 the end of that line
 
   constexpr answer& operator+=(const answer& b) {
     force = force + b.force, slope = slope + b.slope;
@@ -77,18 +78,7 @@ constexpr answer<Real> limited(const answer<Real>& wanted,
   const auto above = wanted.force > high.force, below = wanted.force < low.force;
   return {select(above, high.force, select(below, low.force, wanted.force)),
           select(above, high.slope, select(below, low.slope, wanted.slope)),
-          select(above, Real(1.0), select(below, Real(-1.0), Real(0.0)))};
-}
-
-template <class Real>
-constexpr answer<Real> between_sides(const answer<Real>& wanted,
-                                     const answer<Real>& low,
-                                     const answer<Real>& high,
-                                     const Real& last) {
-  const answer<Real> a = limited(wanted, low, high);
-  const auto crosses = a.side * last < Real(0.0);
-  return {select(crosses, wanted.force, a.force), select(crosses, wanted.slope, a.slope),
-          select(crosses, Real(0.0), a.side)};
+          select(above, high.side, select(below, low.side, wanted.side))};
 }
 
 // What is left of a motor's torque at a line that falls by `slope`: at most `most`, at least 0. `way` -1: the
@@ -97,11 +87,14 @@ template <class Real>
 constexpr answer<Real> left_of(const Real& line, const Real& slope, const Real& most, double way) {
   const auto falls = line < most, ends = line < Real(0.0);
   const Real left = select(ends, Real(0.0), select(falls, line, most));
-  return {Real(way) * left, select(ends, Real(0.0), select(falls, slope, Real(0.0)))};
+  return {Real(way) * left, select(ends, Real(0.0), select(falls, slope, Real(0.0))),
+          Real(way) * select(ends, Real(3.0), select(falls, Real(2.0), Real(1.0)))};
 }
 
-// The motor of a joint in one step. `last`: the side of the last round. A stiff law that was at one limit and
-// is beyond the other is taken without limits: what holds is between.
+// The motor of a joint in one step. `last`: the side of the last round. What holds is between the pieces of
+// two rounds where one leads to the other and back, so it is taken next: the law, without limits, if it was
+// at one limit and is beyond the other; the falling line, if its end was reached from before it, or left for
+// that.
 template <class Real>
 class motor_in_step {
 public:
@@ -133,22 +126,39 @@ public:
     wanted_ = {stiffness * high_ + damping * (winding - c.v), c.slope(theta, stiffness, damping)};
   }
 
-  constexpr answer<Real> at(const Real& dv, const Real& last) const {
+  constexpr answer<Real> at(const Real& dv) const {
     if (kind_ == kind::none) return {};
-    const answer<Real> wanted = wanted_.at(dv), none{};
+    answer<Real> wanted = wanted_.at(dv);
+    const answer<Real> none{Real(0.0), Real(0.0), Real(-1.0)};
     const Real& f = wanted.force;
     const Real lost = falls_ * dv, high = high_ - lost, low = low_ + lost;
     if (kind_ == kind::cable) {
-      const answer<Real> taut = between_sides(wanted, none, {most_, Real(0.0), Real(0.0)}, last);
+      const answer<Real> taut = limited(wanted, none, {most_, Real(0.0), Real(1.0)});
       const auto slack = !(high > Real(0.0));
       return {select(slack, Real(0.0), taut.force), select(slack, Real(0.0), taut.slope),
               select(slack, Real(-1.0), taut.side)};
     }
+    // Beyond the end of a line it brakes: then the line is not between this and the end.
+    wanted.side = select(high < Real(0.0), Real(2.0), select(low < Real(0.0), Real(-2.0), Real(0.0)));
     const auto in_high = f <= most_, in_line = f <= high;
     const auto in_low = (only_pulls_ ? Real(0.0) : -most_) <= f, in_other = (only_pulls_ ? f : -low) <= f;
     if (everywhere(in_high & in_line & in_low & in_other)) return wanted;
-    return between_sides(wanted, only_pulls_ ? none : left_of(low, falls_, most_, -1),
-                         left_of(high, falls_, most_, 1), last);
+    return limited(wanted, only_pulls_ ? none : left_of(low, falls_, most_, -1),
+                   left_of(high, falls_, most_, 1));
+  }
+  constexpr answer<Real> at(const Real& dv, const Real& last) const {
+    const answer<Real> a = at(dv);
+    const Real now = a.side * a.side, before = last * last;
+    const auto stays = a.side * last >= Real(0.0), is_past = now > Real(8.0), was_past = before > Real(8.0),
+               is_far = now < Real(2.0), was_far = before < Real(2.0);
+    const auto skips = stays & ((is_past & was_far) | (was_past & is_far));
+    if (everywhere(stays & !skips)) return a;
+    const answer<Real> wanted = wanted_.at(dv);
+    const Real way = select(a.side + last > Real(0.0), Real(1.0), Real(-1.0));
+    const Real line = select(way > Real(0.0), high_, low_) - way * falls_ * dv;
+    return {select(skips, way * line, select(stays, a.force, wanted.force)),
+            select(skips, falls_, select(stays, a.slope, wanted.slope)),
+            select(skips, Real(2.0) * way, select(stays, a.side, Real(0.0)))};
   }
 
 private:

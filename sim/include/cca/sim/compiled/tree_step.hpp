@@ -55,7 +55,7 @@ public:
   using vector = typename branch_matrix<tree::branches, Real>::vector;
   using coordinates = typename equations::coordinates;
 
-  static constexpr int most_rounds = 6;
+  static constexpr int most_rounds = 12;
 
   equations now{};            // with the places of the links
   placed_frame<Real> base{};  // in the world
@@ -82,13 +82,13 @@ public:
     prepare(m, drives);
     const auto free_entries = now.mass.entry;
     vector guess{};
-    sides = {};
     for (std::size_t c = 0; c < n; ++c) guess[row(c)] = Real(h) * m.change[c];
     for (rounds = 1;; ++rounds) {
       change = now.forces;
       for (std::size_t c = 0; c < n; ++c) {
         const std::size_t r = row(c);
-        const answer<Real> motor = joints[c].motor.at(guess[r], sides[c]);
+        const answer<Real> motor =
+            rounds == 1 ? joints[c].motor.at(guess[r]) : joints[c].motor.at(guess[r], sides[c]);
         sides[c] = motor.side;
         taken[c] = joints[c].at(guess[r], motor);
         change[r] = change[r] + taken[c].force + taken[c].slope * guess[r];
@@ -113,7 +113,7 @@ public:
       m.turning_change = per_second * base.direction({smooth[0], smooth[1], smooth[2]});
     }
     for (std::size_t c = 0; c < n; ++c) {
-      drives.torque[c] = joints[c].motor.at(change[row(c)], Real(0.0)).force;
+      drives.torque[c] = joints[c].motor.at(change[row(c)]).force;
       m.dq[c] = m.dq[c] + change[row(c)];
       m.change[c] = per_second * smooth[row(c)];
       if (R::drives[c].cable.stiffness > 0) drives.pulleys[c].torque = drives.torque[c];
@@ -191,7 +191,7 @@ private:
     };
     for (std::size_t c = 0; c < n; ++c) {
       const Real& dv = change[row(c)];
-      check(taken[c], joints[c].at(dv, joints[c].motor.at(dv, Real(0.0))).force, dv - guess[row(c)]);
+      check(taken[c], joints[c].at(dv, joints[c].motor.at(dv)).force, dv - guess[row(c)]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i) {
       const Real dv = growth_of(i, change);
