@@ -69,19 +69,26 @@ inline bool is_positive_definite(const Eigen::Matrix3d& inertia) {
   return principal[0] > 1e-12 * principal[2];
 }
 
+inline double inertia_of_water(double mass) {  // of a ball, kg m^2
+  const double radius = std::cbrt(mass / 1000 * 3 / (4 * std::numbers::pi));
+  return 0.4 * mass * radius * radius;
+}
+// So little for its mass that nothing was meant by it: zeros, or what rounding has left of them. A body like
+// that can't be simulated.
+inline bool is_next_to_nothing(const Eigen::Matrix3d& inertia, double mass) {
+  return !(principal_moments(inertia).cwiseAbs().maxCoeff() > 1e-6 * inertia_of_water(mass));
+}
+
 // The nearest one (in the Frobenius norm) that a body can have and that resists a turn about every axis: each
-// principal moment is below the sum of the others by a thousandth of the largest. If all are 0, that of a
-// ball as dense as water.
+// principal moment is below the sum of the others by a thousandth of the largest. If all are next to nothing,
+// that of a ball as dense as water.
 //
 // The principal axes stay. The allowed moments are a cone of three sides, x + y >= z and so on: the nearest
 // point of it lies on a side, else on an edge, else in the corner.
 inline Eigen::Matrix3d nearest_sound(const Eigen::Matrix3d& inertia, double mass) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> of(inertia);
   const double largest = of.eigenvalues().cwiseAbs().maxCoeff();
-  if (!(largest > 0)) {
-    const double radius = std::cbrt(mass / 1000 * 3 / (4 * std::numbers::pi));
-    return 0.4 * mass * radius * radius * Eigen::Matrix3d::Identity();
-  }
+  if (is_next_to_nothing(inertia, mass)) return inertia_of_water(mass) * Eigen::Matrix3d::Identity();
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(largest / 1000), p = of.eigenvalues() - margin;
   const auto lies_within = [&](const Eigen::Vector3d& m) {
     return m.sum() - 2 * m.maxCoeff() >= -1e-12 * largest;

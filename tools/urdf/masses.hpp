@@ -31,17 +31,19 @@ inline void check_inertia(const bodies& all, body& b, bool accepts, remarks& sai
   const bool is_held = !b.moved_by && !all.floats();
   const link& first = all.link_at(b.first);
   const std::string name = name_of_body(all, b), fault = fault_of(b.mass.about_centre);
-  if (fault.empty() && (is_held || is_positive_definite(b.mass.about_centre)))
+  const bool has_none = is_next_to_nothing(b.mass.about_centre, b.mass.mass);
+  if (fault.empty() && (is_held || (is_positive_definite(b.mass.about_centre) && !has_none)))
     return tell_placeholders(all, b, said);
-  const std::string wrong = fault.empty()
-                                ? name + " has an inertia that is not positive definite, but " +
-                                      (b.moved_by ? with_line(*b.moved_by) + " moves it" : "the base floats")
-                                : name + ": no body has this inertia: " + fault;
+  const std::string moved =
+      ", but " + (b.moved_by ? with_line(*b.moved_by) + " moves it" : "the base floats");
+  const std::string wrong = has_none && fault.empty() ? name + " has next to no inertia for its " +
+                                                            rounded(b.mass.mass) + " kg" + moved
+                            : fault.empty() ? name + " has an inertia that is not positive definite" + moved
+                                            : name + ": no body has this inertia: " + fault;
   const Eigen::Matrix3d sound = nearest_sound(b.mass.about_centre, b.mass.mass);
-  const std::string offered =
-      (b.mass.about_centre.isZero(0) ? "that of a ball as dense as water, with principal moments of "
-                                     : "the nearest sound one, with principal moments of ") +
-      moments_text(principal_moments(sound));
+  const std::string offered = (has_none ? "that of a ball as dense as water, with principal moments of "
+                                        : "the nearest sound one, with principal moments of ") +
+                              moments_text(principal_moments(sound));
   if (!accepts && !is_held)
     return said.error(first.line, wrong + "; correct it, or let --accept-inertia take " + offered);
   said.note(first.line, wrong + "; it becomes " + offered + (is_held ? ", and nothing moves it" : ""));

@@ -206,6 +206,29 @@ TEST_SUITE("refusals") {
     CHECK(convert(good, accepts).said.empty());
   }
 
+  TEST_CASE("what rounding has left of an inertia of zeros is none") {
+    cca_urdf::options accepts;
+    accepts.accept_inertia = true;
+    for (const char* ixx : {"4.1e-18", "0"}) {
+      for (const char* izz : {"4.1e-18", "-1.8e-22", "0"}) {
+        const std::string text =
+            with("ixx=\"0.02\" iyy=\"0.02\" izz=\"0.01\"",
+                 std::string("ixx=\"") + ixx + "\" iyy=\"" + ixx + "\" izz=\"" + izz + "\"");
+        refused(text, "f:3: error: link 'arm'");
+        refused(text, "let --accept-inertia take that of a ball as dense as water");
+        const auto made = convert(text, accepts);
+        has(made.header, "{0.004887");  // kg m^2, of 2 kg of water
+      }
+    }
+    refused(
+        with("ixx=\"0.02\" iyy=\"0.02\" izz=\"0.01\"", "ixx=\"1e-12\" iyy=\"1e-12\" izz=\"1e-12\""),
+        "f:3: error: link 'arm' has next to no inertia for its 2 kg, but joint 'shoulder' (line 5) moves it");
+    // A bead of a milligram is light, and sound.
+    noted(with("<mass value=\"2\"/>\n<inertia ixx=\"0.02\" iyy=\"0.02\" izz=\"0.01\"",
+               "<mass value=\"1e-6\"/>\n<inertia ixx=\"1e-13\" iyy=\"1e-13\" izz=\"1e-13\""),
+          "");
+  }
+
   TEST_CASE("an angle that is nearly right is a right one") {
     const auto written = [](const std::string& angle) {
       const std::string header = noted(with("xyz=\"0 0 1\"", "xyz=\"0 0 1\" rpy=\"" + angle + " 0 0\""), "");
