@@ -149,16 +149,18 @@ public:
   constexpr answer<Real> at(const Real& dv, const Real& last) const {
     const answer<Real> a = at(dv);
     const Real now = a.side * a.side, before = last * last;
-    const auto stays = a.side * last >= Real(0.0), is_past = now > Real(8.0), was_past = before > Real(8.0),
-               is_far = now < Real(2.0), was_far = before < Real(2.0);
-    const auto skips = stays & ((is_past & was_far) | (was_past & is_far));
-    if (everywhere(stays & !skips)) return a;
+    const auto is_past = now > Real(8.0), was_past = before > Real(8.0), is_far = now < Real(2.0),
+               was_far = before < Real(2.0);
+    const Real skips = select(is_past & was_far, Real(1.0), select(was_past & is_far, Real(1.0), Real(0.0)));
+    const Real off = select(a.side * last < Real(0.0), Real(2.0), skips);  // 2: from one limit to the other
+    if (everywhere(off < Real(0.5))) return a;
     const answer<Real> wanted = wanted_.at(dv);
     const Real way = select(a.side + last > Real(0.0), Real(1.0), Real(-1.0));
     const Real line = select(way > Real(0.0), high_, low_) - way * falls_ * dv;
-    return {select(skips, way * line, select(stays, a.force, wanted.force)),
-            select(skips, falls_, select(stays, a.slope, wanted.slope)),
-            select(skips, Real(2.0) * way, select(stays, a.side, Real(0.0)))};
+    const auto crosses = off > Real(1.5), is_off = off > Real(0.5);
+    return {select(crosses, wanted.force, select(is_off, way * line, a.force)),
+            select(crosses, wanted.slope, select(is_off, falls_, a.slope)),
+            select(crosses, Real(0.0), select(is_off, Real(2.0) * way, a.side))};
   }
 
 private:
