@@ -53,9 +53,10 @@ public:
   template <class Run>
   void work(Run& run) {
     for (std::size_t i = 0; i < count;) {
-      i = count;
       try {
-        if (is_stopped() || (i = next++) >= count) return;
+        i = count;
+        if (!is_stopped()) i = next++;
+        if (i >= count) return;
         run(i);
         tell();
       } catch (...) { failed(i); }
@@ -88,6 +89,15 @@ private:
   std::exception_ptr error;
 };
 
+// False: the system has no thread left.
+template <class Work>
+bool begins(std::vector<std::jthread>& threads, const Work& work) {
+  try {
+    threads.emplace_back(work);
+    return true;
+  } catch (const std::system_error&) { return false; }
+}
+
 }  // namespace detail
 
 // run(0) to run(count - 1), each once, `threads` at a time, this one among them. Returns what they returned:
@@ -110,9 +120,8 @@ auto rollouts(std::size_t count, Run run, const rollout_settings& settings = {})
     {
       const std::size_t cores = settings.threads > 0 ? settings.threads : std::thread::hardware_concurrency();
       std::vector<std::jthread> others;
-      try {
-        for (std::size_t t = 1; t < std::min(cores, count); ++t) others.emplace_back([&] { all.work(keep); });
-      } catch (const std::system_error&) {}
+      const auto work = [&] { all.work(keep); };
+      for (std::size_t t = 1; t < std::min(cores, count) && detail::begins(others, work);) ++t;
       all.work(keep);
     }
     all.rethrow();
