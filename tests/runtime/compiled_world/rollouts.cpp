@@ -91,7 +91,7 @@ TEST_SUITE("rollouts") {
     }
   }
 
-  TEST_CASE("what is kept need only be movable") {
+  TEST_CASE("results need only be movable") {
     const auto all = sim::rollouts(9, [](std::size_t i) { return std::make_unique<std::size_t>(i); });
     REQUIRE_EQ(all.size(), 9);
     CHECK_EQ(*all[8], 8);
@@ -116,7 +116,7 @@ TEST_SUITE("rollouts") {
     }
   }
 
-  TEST_CASE("once it is to stop, what is left still stands at its number") {
+  TEST_CASE("after a stop each result still stands at its number") {
     std::atomic<bool> stop = false;
     const auto first_is_slow = [&](std::size_t i) {
       while (i == 2 && !stop) std::this_thread::yield();
@@ -138,7 +138,7 @@ TEST_SUITE("rollouts") {
     }
   }
 
-  TEST_CASE("of two exceptions that of the lower number is thrown, also if it came later") {
+  TEST_CASE("if two runs fail, the exception of the lower number is thrown, also if it came later") {
     std::atomic<bool> second_is_leaving = false;
     const auto both_fail = [&](std::size_t i) {
       if (i == 1) {

@@ -12,7 +12,7 @@
 // on what no run changes, gives the same bits on any number of threads.
 //
 // Errors: an exception of a run, or of what the settings have, ends all: no further run begins, those under
-// way end, and it is thrown to the caller (of several that of the lowest number).
+// way end, and it is thrown to the caller. If several runs fail, it is the exception of the lowest number.
 #pragma once
 
 #include <algorithm>
@@ -100,9 +100,9 @@ bool begins(std::vector<std::jthread>& threads, const Work& work) {
 
 }  // namespace detail
 
-// run(0) to run(count - 1), each once, `threads` at a time, this one among them. Returns what they returned:
-// that of run(i) stands at i. Once `settings.stops`, it is those before the first that did not begin or was
-// under way, so the vector is shorter then.
+// run(0) to run(count - 1), each once, `threads` at a time, this one among them. Returns their results,
+// that of run(i) at i. Once `settings.stops`, only the results before the first run that has not ended are
+// returned, so the vector is shorter.
 template <class Run>
 auto rollouts(std::size_t count, Run run, const rollout_settings& settings = {}) {
   if constexpr (!detail::ReturnsValue<Run>) {

@@ -22,8 +22,8 @@ namespace cca::sim::detail {
 template <class Real>
 struct answer {
   Real force{}, slope{};
-  Real side{};  // of what is limited, above 0 at its upper limit, below at its lower one: 1 the limit itself,
-                // 2 the falling line of a motor, 3 the end of that line
+  Real side{};  // 0: not limited. Upper limit: above 0, lower limit: below. 1: a constant limit; 2: a motor's
+                // falling line; 3: beyond the end of that line
 
   constexpr answer& operator+=(const answer& b) {
     force = force + b.force, slope = slope + b.slope;
