@@ -65,7 +65,8 @@ void has_the_bits_of_one_loop() {
 }
 
 // In a wall-clock run the results of cycles that began in an old mode come as they do in one process, and
-// what reads them fires when they come.
+// what reads them fires when they come. A mode lasts 70 ms, so that a busy machine still has cycles within
+// it.
 template <class Meeting>
 void results_of_an_old_mode() {
   using D = turning_apart;
@@ -74,19 +75,19 @@ void results_of_an_old_mode() {
   process eyes([&] {
     cca::deployed<D> d(cca::only{"eyes"}, Meeting::transport(name));
     begin(d);
-    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    d.run(cca::for_beats<200>{}, cca::at_speed(0.1));
     return d.get<"aims_left">().all.size() > 5 ? std::string() : std::string("few cycles");
   });
   process mind([&] {
     cca::deployed<D> d(cca::only{"mind"}, Meeting::transport(name));
     begin(d);
-    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    d.run(cca::for_beats<200>{}, cca::at_speed(0.1));
     return complaint_about_firings(d);
   });
   process robot([&] {
     cca::deployed<D> d(cca::only{"robot"}, Meeting::transport(name));
     begin(d);
-    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    d.run(cca::for_beats<200>{}, cca::at_speed(0.1));
     return complaint_about(d.get<"reader">()) + std::string(d.fault() ? d.fault().reason() : "");
   });
   CHECK_EQ(robot.said(), "");

@@ -222,6 +222,13 @@ class HeadersAlone(Tree):
         self.write("include/cca/d.hpp", "#include <vector>\n  #include <cca/a.hpp>\n")
         self.assertEqual(headers_alone.includes_from_outside(self.root), ["<vector>"])
 
+    def test_share(self):
+        found = list(range(10))
+        self.assertEqual(headers_alone.share(found, 1, "00000003ab"), found)
+        self.assertEqual(headers_alone.share(found, 4, ""), [0, 4, 8])  # not in a repository
+        parts = [headers_alone.share(found, 4, f"0000000{commit}ab") for commit in range(4)]
+        self.assertEqual(sorted(sum(parts, [])), found)
+
 
 class Snippets(Tree):
     SOURCE = "int main() {\n  // [part]\n  f();\n    g();\n  // [part end]\n}\n"

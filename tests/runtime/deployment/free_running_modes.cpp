@@ -171,7 +171,7 @@ TEST_SUITE("deployed free-running modes") {
     const cycles_of slow(9'000);
     cca::deployed<turning<>> d;
     begin(d);
-    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    d.run(cca::for_beats<200>{}, cca::at_speed(0.1));
     REQUIRE_EQ(d.state(), cca::state::started);
     CHECK_EQ(complaint_about(d.get<"reader">()), "");
     // A fast run goes on with the mode of the beat; then another wall-clock run.
@@ -189,7 +189,7 @@ TEST_SUITE("deployed free-running modes") {
     const cycles_of slow(9'000);
     cca::deployed<turning<>> d;
     begin(d);
-    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    d.run(cca::for_beats<200>{}, cca::at_speed(0.1));
     REQUIRE_EQ(d.state(), cca::state::started);
     const firings sees(d.get<"sees">()), aimed(d.get<"aimed">()), counts(d.get<"counts">());
     CHECK_EQ(sees.without, 0);
@@ -212,7 +212,7 @@ TEST_SUITE("deployed free-running modes") {
     const cycles_of slow(9'000);
     cca::deployed<turning_apart> d;
     begin(d);
-    d.run(cca::for_beats<400>{}, cca::at_speed(0.5));
+    d.run(cca::for_beats<200>{}, cca::at_speed(0.1));
     CHECK_FALSE(d.fault());
     CHECK_EQ(complaint_about_firings(d), "");
   }
