@@ -29,6 +29,16 @@ function(cca_test_lists kind)  # of programs without --config
   endforeach()
 endfunction()
 
+# cca_label_long(<regex>): the tests of this folder whose name matches take long, or run a program that takes long to compile.
+function(cca_label_long regex)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  foreach(test IN LISTS tests)
+    if(test MATCHES "${regex}")
+      set_property(TEST ${test} APPEND PROPERTY LABELS long)
+    endif()
+  endforeach()
+endfunction()
+
 # cca_label_programs(): the tests of this folder that are not checks of the sources run whole programs. Call it last.
 function(cca_label_programs)
   get_property(tests DIRECTORY PROPERTY TESTS)
