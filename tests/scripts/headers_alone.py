@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Compiles each header alone: what a header of cca uses of cca, it includes.
 
-usage: headers_alone.py ROOT FOLDER [--one-of N] -- COMPILER [FLAGS...]
+usage: headers_alone.py ROOT FOLDER N -- COMPILER [FLAGS...]
 
 clang only. What the headers include from outside of cca is precompiled, once, into FOLDER. So a missing <vector> does not
 show here; the target all_verify_interface_header_sets of the presets that are run by hand finds it, in three times the time.
-With --one-of N each N-th header is compiled; which ones changes with the commit.
+Each N-th header is compiled; the hash of the commit says which.
 """
 import concurrent.futures
 import os
@@ -24,7 +24,7 @@ def headers(root):
 
 
 def share(found, one_of, commit):
-    """Each one_of-th header: with the commits that follow each other, all have their turn."""
+    """Each one_of-th header. The commit says which, so over many commits all have their turn."""
     return found[int(commit[:8] or "0", 16) % one_of::one_of]
 
 
@@ -57,11 +57,10 @@ def refused(found, folder, command):
 
 
 def main(arguments):
-    split = arguments.index("--") if "--" in arguments else 0
-    options = arguments[:split]
-    if len(options) not in (2, 4) or options[2:3] not in ([], ["--one-of"]):
+    if len(arguments) < 5 or arguments[3] != "--":
         sys.exit(__doc__)
-    root, folder, command = pathlib.Path(options[0]), pathlib.Path(options[1]), reject.as_users_have_it(arguments[split + 1:])
+    root, folder, one_of = pathlib.Path(arguments[0]), pathlib.Path(arguments[1]), int(arguments[2])
+    command = reject.as_users_have_it(arguments[4:])
     folder.mkdir(parents=True, exist_ok=True)
     outside = folder / "outside.hpp"
     outside.write_text("".join(f"#include {name}\n" for name in includes_from_outside(root)))
@@ -69,7 +68,7 @@ def main(arguments):
     if said:
         sys.exit(f"{said}\n{outside}: what the headers include from outside does not compile")
     commit = subprocess.run(["git", "-C", str(root), "rev-parse", "HEAD"], stdout=subprocess.PIPE, text=True).stdout
-    found = share(headers(root), int(options[3]) if len(options) == 4 else 1, commit)
+    found = share(headers(root), one_of, commit)
     wrong = refused(found, folder, command)
     for header, output in wrong:
         print(f"{output}\n{header}: does not compile alone")

@@ -81,7 +81,7 @@ inline bool is_next_to_nothing(const Eigen::Matrix3d& inertia, double mass) {
 
 // The nearest one (in the Frobenius norm) that a body can have and that resists a turn about every axis: each
 // principal moment is below the sum of the others by a thousandth of the largest. If all are next to nothing,
-// that of a ball as dense as water.
+// it is a ball of water of this mass.
 //
 // The principal axes stay. The allowed moments are a cone of three sides, x + y >= z and so on: the nearest
 // point of it lies on a side, else on an edge, else in the corner.

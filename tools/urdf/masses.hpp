@@ -36,10 +36,9 @@ inline void check_inertia(const bodies& all, body& b, bool accepts, remarks& sai
     return tell_placeholders(all, b, said);
   const std::string moved =
       ", but " + (b.moved_by ? with_line(*b.moved_by) + " moves it" : "the base floats");
-  const std::string wrong = has_none && fault.empty() ? name + " has next to no inertia for its " +
-                                                            rounded(b.mass.mass) + " kg" + moved
-                            : fault.empty() ? name + " has an inertia that is not positive definite" + moved
-                                            : name + ": no body has this inertia: " + fault;
+  const std::string has = has_none ? " has next to no inertia for its " + rounded(b.mass.mass) + " kg"
+                                   : " has an inertia that is not positive definite";
+  const std::string wrong = name + (fault.empty() ? has + moved : ": no body has this inertia: " + fault);
   const Eigen::Matrix3d sound = nearest_sound(b.mass.about_centre, b.mass.mass);
   const std::string offered = (has_none ? "that of a ball as dense as water, with principal moments of "
                                         : "the nearest sound one, with principal moments of ") +

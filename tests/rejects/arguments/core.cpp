@@ -12,8 +12,8 @@
 // EXPECT derived_of_two: component\.bad_parameter: `of_two` makes no `double` of `double` and `double`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
 // EXPECT derived_of_other_input: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got `other`: name the input alike in both, or for the value of another sample call `anew`
 // EXPECT derived_of_sample: component\.bad_parameter: `of` of a cca::derived of `number` takes the input `x`, whose value it is, and got a `sample<signal>`: name the input alike in both, or for the value of another sample call `anew`
-// EXPECT derived_view: component\.bad_parameter: the value of `view` is `Ref<const Matrix<double, 1, 1[^>]*>>`: a cca::derived keeps a value of its own, so state a type that owns its numbers, no pointer, reference, view or expression
-// EXPECT derived_nothing: component\.bad_parameter: the value of `nothing` is `void`: a cca::derived keeps a value of its own, so state a type that owns its numbers, no pointer, reference, view or expression
+// EXPECT derived_view: component\.bad_parameter: the value of `view` is `Ref<const Matrix<double, 1, 1[^>]*>>`: a cca::derived keeps a value of its own: state a type that owns its numbers, not a pointer, a reference, a view or an expression
+// EXPECT derived_nothing: component\.bad_parameter: the value of `nothing` is `void`: a cca::derived keeps a value of its own: state a type that owns its numbers, not a pointer, a reference, a view or an expression
 // EXPECT derived_narrow: component\.bad_parameter: `narrow` makes `double` and no `int` of `sample<signal>`: a cca::derived needs a function `static value of\(\.\.\.\)` for that
 // EXPECT derived_no_list: component\.bad_parameter: the `from` of `no_list` is `number`: write `using from = cca::from<\.\.\.>;` with the functions on whose values it builds
 // EXPECT twice_limited: space\.bad_limits: a `cca::limits` lists `angle` twice: state one range for each quantity

@@ -69,8 +69,8 @@ struct value_elsewhere {
   static constexpr void tell(text& m) {
     m << "component.bad_parameter: the value of `" << type_name<Function>() << "` is `"
       << type_name<typename Function::value>()
-      << "`: a cca::derived keeps a value of its own, so state a type that owns its numbers, no pointer, "
-         "reference, view or expression";
+      << "`: a cca::derived keeps a value of its own: state a type that owns its numbers, not a pointer, a "
+         "reference, a view or an expression";
   }
 };
 // It refers to numbers that somebody else owns, or is nothing.
