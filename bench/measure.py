@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, random, skills, arm, drives, dynamics, floating, derivatives, cold, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, random, skills, arm, drives, dynamics, pinocchio, floating, derivatives, cold, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --only random --graphs 5   so many random graphs
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
@@ -318,6 +318,21 @@ def dynamics(work):
     return rows
 
 
+def pinocchio(work):
+    """The same arm, beside Pinocchio, whose headers are in the folder of the option."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "pinocchio_dynamics"
+        build(compiler, ["-O2", "-isystem", str(PINOCCHIO)], HERE / "pinocchio_dynamics.cpp", program, "-lorocos-kdl")
+        run([str(program), "check"])
+        for name in run([str(program), "list"]).stdout.splitlines():
+            row = {"quantity": name, "compiler": compiler} | {form: instructions(program, name, form, lengths=(20, 220)) for form in ("cca", "pinocchio")}
+            rows.append(row)
+            print("pinocchio", row, flush=True)
+    version = (PINOCCHIO / "pinocchio/config.hpp").read_text()
+    return {"version": re.search(r'PINOCCHIO_VERSION "([\d.]+)"', version)[1], "rows": rows}
+
+
 def beside_loops(work, source):
     """The quantities of a program, recorded and by loops over the links."""
     rows = []
@@ -544,16 +559,22 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "random": random_graph, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "floating": floating, "derivatives": derivatives, "cold": cold, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "random": random_graph, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "pinocchio": pinocchio, "floating": floating, "derivatives": derivatives, "cold": cold, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")
     parser.add_argument("--graphs", type=int, default=20)
+    parser.add_argument("--pinocchio", type=pathlib.Path, help="the folder that has pinocchio/algorithm/rnea.hpp: Debian has none, so this part is measured only where it is given")
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/bench/bench")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "build/bench/out")
     a = parser.parse_args()
-    global PROGRAMS, OUT, QUICK, GRAPHS
-    PROGRAMS, OUT, QUICK, GRAPHS = a.programs, a.out, a.quick, a.graphs
+    global PROGRAMS, OUT, QUICK, GRAPHS, PINOCCHIO
+    PROGRAMS, OUT, QUICK, GRAPHS, PINOCCHIO = a.programs, a.out, a.quick, a.graphs, a.pinocchio
+    if "pinocchio" in (a.only or []) and not a.pinocchio:
+        sys.exit("measure.py: the part pinocchio needs --pinocchio FOLDER")
+    if not a.pinocchio:
+        del parts["pinocchio"]
+        print("Pinocchio is not measured: no --pinocchio FOLDER; its figures stay as they are", flush=True)
     if a.quick:
         global TROT_FLAGS, SIZES, COMPILE_SIZES
         GRAPHS = min(GRAPHS, 3)

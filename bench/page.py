@@ -257,6 +257,20 @@ The goal is a ratio of at most 0.7; the largest is {worst:.2f}.
 {measured(part)}"""
 
 
+def pinocchio(part):
+    data = part["data"]
+    rows = [[r["quantity"], r["compiler"], f"{number(r['cca'])} / {number(r['pinocchio'])}", f"**{r['cca'] / r['pinocchio']:.2f}**"] for r in data["rows"]]
+    return f"""### Beside Pinocchio
+
+The same arm by Pinocchio {data["version"]} (`bench/pinocchio_dynamics.cpp`), at `-O2 -DNDEBUG` as the rest.
+Pinocchio is not in Debian: its headers are those of its repository at that version, used as templates on `double` without its compiled library, geometry and parsers, so all of it is compiled with these flags.
+Its model is built from the same numbers, with its joints about an axis, and its data are made once; a run checks that both give the same numbers to 1e-9.
+`python3 bench/measure.py --only pinocchio --pinocchio FOLDER` measures this part.
+
+{table(["quantity", "compiler", "instructions: cca / Pinocchio", "ratio"], rows)}
+{measured(part)}"""
+
+
 def floating(part):
     sines = {r["compiler"]: r for r in part["data"] if r["quantity"] == "sines"}
     rows = [[r["quantity"], r["compiler"], f"{number(r['cca'])} / {number(r['loops'])}", f"**{r['cca'] / r['loops']:.2f}**",
@@ -550,6 +564,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(drives(figures["drives"]))
     if "dynamics" in figures:
         parts.append(dynamics(figures["dynamics"]))
+    if "pinocchio" in figures:
+        parts.append(pinocchio(figures["pinocchio"]))
     if "floating" in figures:
         parts.append(floating(figures["floating"]))
     if "derivatives" in figures:

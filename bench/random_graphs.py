@@ -188,7 +188,7 @@ class Graph:
         self.add(self.component("last"), [(self.nodes[-1], 0)])
         for node, i in waiting:
             later = [n for n in self.nodes if n.component.output == node.component.inputs[i] and n.period == 1 and self.nodes.index(n) >= self.nodes.index(node)]
-            node.sources[i] = (rng.choice(later), rng.randint(1, 3)) if later else (self.nodes[0], 1)
+            node.sources[i] = (rng.choice(later), rng.randint(1, 3)) if later else (self.nodes[0] if node.component.inputs[i] == "v" else self.readable["s"][0], 1)
         for node in self.nodes:  # a slower end needs no delay
             node.sources = [(s, 0 if s.period > 1 or node.period > 1 and s is not node else d) for s, d in node.sources]
 
@@ -293,18 +293,20 @@ class Hand:
         """What later beats read of a result."""
         writer = next((n for n in self.g.nodes if n.name == name), None)
         kind = TYPE[writer.output()] if writer else "vector8"
-        delays = [(delay, self.still_holds(n.name, name)) for n in self.g.nodes for s, delay in n.sources if s.name == name and delay]
-        if writer and not writer.component.keeps_result and (writer.period > 1 or (1, True) in delays):
+        readers = [(n, delay) for n in self.g.nodes for s, delay in n.sources if s.name == name]
+        delays = [(delay, self.still_holds(n.name, name)) for n, delay in readers if delay]
+        is_read_first = any(not delay and self.still_holds(n.name, name) for n, delay in readers)  # by a slower one, in a loop
+        if writer and not writer.component.keeps_result and (writer.period > 1 or is_read_first or (1, True) in delays):
             self.outlives_beat[name] = True
             self.members.append(f"{kind} {self.results[name]}{{{INITIAL[kind]}}};")
         most = max((delay for delay, still in delays if not (still and delay == 1)), default=0)
         if most == 1:
-            self.members.append(f"{kind} {name}_last{{{INITIAL[kind]}}};")
-            self.end.append(f"{name}_last = {self.results[name]};")
+            self.members.append(f"{kind} {name}_before{{{INITIAL[kind]}}};")
+            self.end.append(f"{name}_before = {self.results[name]};")
         elif most > 1:
             size = 2 if most == 2 else 4
-            self.members.append(f"std::array<{kind}, {size}> {name}_past{{{'zeros<' + str(size) + '>()' if kind == 'vector8' else ''}}};")
-            self.end.append(f"{name}_past[k % {size}] = {self.results[name]};")
+            self.members.append(f"std::array<{kind}, {size}> {name}_earlier{{{'zeros<' + str(size) + '>()' if kind == 'vector8' else ''}}};")
+            self.end.append(f"{name}_earlier[k % {size}] = {self.results[name]};")
         writer_or_robot = writer or self
         writer_or_robot.depth = 0 if most < 2 else 2 if most == 2 else 4
 
@@ -312,7 +314,7 @@ class Hand:
         if not delay or (delay == 1 and self.still_holds(reader.name, source.name)):
             return self.results[source.name]
         depth = source.depth if source.component else self.depth
-        return f"{source.name}_past[(k - {delay}) % {depth}]" if depth else f"{source.name}_last"
+        return f"{source.name}_earlier[(k - {delay}) % {depth}]" if depth else f"{source.name}_before"
 
     def compute(self, n):
         c = n.component

@@ -81,6 +81,7 @@ struct component_call_of<Graph,
   using result = typename function_called<Graph, Call>::result;
 
   using firing = detail::firing<period>;
+  static constexpr bool takes = has_queue<Graph>(c) || has_observers(c);
 
   const beat_context<Graph>& b;
   const call_place& at;
@@ -92,13 +93,13 @@ struct component_call_of<Graph,
     if (!now.is_now) return;
     if constexpr (std::is_void_v<result>) {
       one.call(now, std::index_sequence_for<Parameters...>{});
-      one.take_from_queues();
+      if constexpr (takes) one.take_from_queues();
     } else {
       result_of_beat<result, true> unread;  // by other calls of this beat
       result& returned = *::new (one.place_of_result(unread))
                              result(one.call(now, std::index_sequence_for<Parameters...>{}));
       const std::int64_t oldest = one.origin();
-      one.take_from_queues();
+      if constexpr (takes) one.take_from_queues();
       if constexpr (std::is_same_v<result, std::tuple<Results...>>)
         (publish<Graph, Call, output_of_result<Number>>(b, at, std::get<Number>(returned), oldest), ...);
       else publish<Graph, Call, 0>(b, at, returned, oldest);
@@ -274,8 +275,7 @@ private:
     } else {
       constexpr bool is_known = (reader<Position>::has_surely_arrived || ...);
       std::int64_t oldest = is_known ? std::numeric_limits<std::int64_t>::max() : never;
-      (reader<Position>::template add_origin<true>(oldest, b, source(Position)), ...);
-      (reader<Position>::template add_origin<false>(oldest, b, source(Position)), ...);
+      (reader<Position>::add_origin(oldest, b, source(Position)), ...);
       if constexpr (has_observers(c)) oldest = oldest_heard<Graph, Call>(b, oldest);
       if constexpr (!is_known)
         if (oldest == never) oldest = time;

@@ -81,16 +81,15 @@ struct input_reader {
     return (sample.counts_for >> in.mark & 1) != 0;
   }
 
-  // Makes `oldest` the older of the two; of an input that `has_surely_arrived`, or of one that has not.
-  template <bool Sure>
+  // Makes `oldest` the older of the two.
   CCA_INLINE static void add_origin([[maybe_unused]] std::int64_t& oldest,
                                     [[maybe_unused]] const beat_context<Graph>& b,
                                     [[maybe_unused]] int index) {
-    if constexpr (counts && has_surely_arrived == Sure) {
+    if constexpr (counts) {
       const auto* sample = shown(b, index);
       if constexpr (in.counts_vary)
         if (sample && !counts_here(*sample)) return;
-      if constexpr (Sure) oldest = sample->origin() < oldest ? sample->origin() : oldest;
+      if constexpr (has_surely_arrived) oldest = sample->origin() < oldest ? sample->origin() : oldest;
       else if constexpr (is_never_null) oldest = older(oldest, sample->origin());
       else oldest = sample ? older(oldest, sample->origin()) : oldest;
     }

@@ -301,24 +301,33 @@ struct reference_to_array {
 };
 
 template <class Graph, class BeatArrays = beat_arrays<Graph>>
-struct beat_context;
+struct references_to_arrays;
 template <class Graph, int... BeatArray>
-struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
-    : reference_to_array<Graph, BeatArray>...,
-      derived_in_beat<Graph>,
-      resting_parts<parts_kept<Graph>>,
-      after_missed<layout_of<Graph>.missed_count> {
+struct references_to_arrays<Graph, std::integer_sequence<int, BeatArray...>>
+    : reference_to_array<Graph, BeatArray>... {
+  CCA_INLINE explicit references_to_arrays(stored_array<Graph, BeatArray>&... samples)
+      : reference_to_array<Graph, BeatArray>{samples}... {}
+};
+
+// Its name does not list its arrays: it is part of the name of each function that takes it, and with 300
+// arrays such names would take g++ a twelfth of its time.
+template <class Graph>
+struct beat_context : references_to_arrays<Graph>,
+                      derived_in_beat<Graph>,
+                      resting_parts<parts_kept<Graph>>,
+                      after_missed<layout_of<Graph>.missed_count> {
   controller_state<Graph>& state;
   beat_outcome& outcome;
   std::int64_t k;
 
+  template <class... Arrays>
   CCA_INLINE beat_context(controller_state<Graph>& s,
                           beat_outcome& o,
                           std::int64_t beat,
                           derived_rooms<Graph>&& its_rooms,
                           derived_marks<Graph>&& its_marks,
-                          stored_array<Graph, BeatArray>&&... samples)
-      : reference_to_array<Graph, BeatArray>{samples}...,
+                          Arrays&&... samples)
+      : references_to_arrays<Graph>(samples...),
         derived_in_beat<Graph>(its_rooms, its_marks),
         resting_parts<parts_kept<Graph>>(static_cast<const part_states<parts_kept<Graph>>&>(s)),
         after_missed<layout_of<Graph>.missed_count>(
