@@ -72,9 +72,11 @@ private:
     ::sigpending(&pending);
     const bool job_ends = ::sigismember(&pending, SIGTERM) == 1;
     if (is_begun && WIFSIGNALED(status) && !job_ends) {
-      std::fprintf(stderr, "cca::mpi: rank %d was ended by signal %d (%s): %s\n", rank, WTERMSIG(status),
+      std::fprintf(stderr, "cca::mpi: rank %d was ended by signal %d (%s)%s\n", rank, WTERMSIG(status),
                    ::strsignal(WTERMSIG(status)),
-                   rank == 0 ? "the others can't go on without it" : "the others make its runs");
+                   rank == 0     ? ": the others can't go on without it"
+                   : is_released ? ""
+                                 : ": the others make its runs");
     }
     if (is_begun && rank != 0 && !is_released)
       while (true) ::pause();  // all signals that can be are blocked: until mpirun kills it
