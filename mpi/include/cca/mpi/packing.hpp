@@ -32,18 +32,21 @@ namespace cca::mpi::detail {
 using cca::detail::Reflected;
 using cca::detail::text;
 
-template <class>
-inline constexpr bool is_view = false;
-template <class Letter, class Traits>
-inline constexpr bool is_view<std::basic_string_view<Letter, Traits>> = true;
-template <class T, std::size_t Extent>
-inline constexpr bool is_view<std::span<T, Extent>> = true;
+// It means something in its process only.
 template <class T>
-inline constexpr bool is_view<std::reference_wrapper<T>> = true;
+inline constexpr bool points = std::is_pointer_v<T> || std::is_member_pointer_v<T> || std::is_null_pointer_v<T>;
+template <class Letter, class Traits>
+inline constexpr bool points<std::basic_string_view<Letter, Traits>> = true;
+template <class T, std::size_t Extent>
+inline constexpr bool points<std::span<T, Extent>> = true;
+template <class T>
+inline constexpr bool points<std::reference_wrapper<T>> = true;
+template <class T>
+inline constexpr bool points<std::optional<T>> = points<T>;
+template <class T, std::size_t Count>
+inline constexpr bool points<std::array<T, Count>> = points<T>;
 
-template <class T> concept Plain =
-    std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_member_pointer_v<T> &&
-    !std::is_null_pointer_v<T> && !is_view<T>;
+template <class T> concept Plain = std::is_trivially_copyable_v<T> && !points<T>;
 template <class T> concept Matrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T> && Plain<typename T::Scalar>;
 
 // How T becomes bytes: `put` appends them, `get` takes them from the front. No specialisation: it can't.
