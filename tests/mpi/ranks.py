@@ -5,7 +5,7 @@
 
 CASE is one of CASES; PROGRAM is rollouts.cpp. Each rank that came to its end has written all its results to a file. What is
 right comes from a run of the program without mpirun. With `same FILE -- WORD...` PROGRAM runs with the WORDs instead, first
-without mpirun, then on 1, 3 and 4 ranks; FILE is what it writes, and must have the same bytes each time.
+without mpirun, then on 1 and 4 ranks; FILE is what it writes, and must have the same bytes each time.
 """
 import os
 import pathlib
@@ -15,6 +15,9 @@ import subprocess
 import sys
 import time
 
+import machines
+
+NOT_RUN = 77
 SILENCE = 2.0  # s, where a rank is lost; the machine may be busy
 PATIENCE = 60.0  # s, where none is
 
@@ -176,12 +179,42 @@ def interrupted(bench):
     all_same(results, range(4), results[0])
 
 
-CASES = {f.__name__: f for f in (bits, killed, still, wakes, leaves, first, long, errors, stops, interrupted)}
+def two_machines(bench):
+    """Over a network: the same bits; a rank that is killed there; a machine that is cut off."""
+    if not machines.are_allowed():
+        print("there is no right to make network namespaces")
+        sys.exit(NOT_RUN)
+    alone, _ = bench.run(0, "bits")
+    pair = machines.Machines(bench.folder)
+    before, options = pair.words()
+    bench.mpirun = [*before, *bench.mpirun, *options]
+    try:
+        all_same(bench.run(4, "bits")[0], range(4), alone[0])
+        results, _ = bench.run(4, "dies", 3, int(signal.SIGKILL), silence=SILENCE)
+        all_same(results, range(3), alone[0])
+        program = subprocess.Popen(bench.words(4, SILENCE, "slow", []), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        while "at work" not in (line := program.stdout.readline()):
+            expect(line, "it ended by itself")
+        pair.cut()
+        for _ in range(300):
+            if {0, 1} <= set(bench.written()):
+                break
+            time.sleep(0.1)
+        all_same({rank: text for rank, text in bench.written().items() if rank < 2}, range(2), alone[0])
+        program.kill()  # it waits for the machine that is cut off, for minutes
+        program.wait()
+    finally:
+        pair.end()
+        for pid in left_over(bench.folder):
+            os.kill(int(pid), signal.SIGKILL)
+
+
+CASES = {f.__name__: f for f in (bits, killed, still, wakes, leaves, first, long, errors, stops, interrupted, two_machines)}
 
 
 def same(bench, file, words):
     contents = []
-    for ranks in (0, 1, 3, 4):
+    for ranks in (0, 1, 4):
         pathlib.Path(file).unlink(missing_ok=True)
         before = [*bench.mpirun, "-n", str(ranks)] if ranks else []
         done = subprocess.run([*before, bench.program, *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)

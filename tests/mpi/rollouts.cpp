@@ -50,6 +50,13 @@ public:
       if (generation == 1 && is_chosen) std::raise(signal);
       wait(2);
     });
+    else if (name == "slow") search([&](std::size_t generation, std::size_t i) {
+      if (generation == 1 && i == 0) {
+        std::printf("at work\n");
+        std::fflush(stdout);
+      }
+      wait(25);
+    });
     else if (name == "wakes") search([&](std::size_t generation, std::size_t) {
       if (generation == 1 && is_chosen) stand_still();
       wait(generation == 3 ? 100 : 2);
@@ -116,10 +123,18 @@ private:
       say(each ? "told of each on rank 0" : "not told of each");
     }
     // More than a piece of a message.
-    const auto large =
-        all.rollouts(3, [](std::size_t i) { return std::vector<double>(3'000'000, static_cast<double>(i)); });
-    for (const auto& one : large) say(one.front() + one.back());
-    say(std::to_string(large.at(2).size()));
+    const auto large = all.rollouts(2, [](std::size_t i) {
+      std::string one(i * 40'000'000, 'a');
+      for (std::size_t k = 0; k < one.size(); k += 997) one[k] = static_cast<char>('b' + k % 20);
+      return one;
+    });
+    say(std::to_string(large.at(1).size()) + " bytes " + std::to_string(sum_of(large.at(1))));
+  }
+
+  static std::uint64_t sum_of(const std::string& bytes) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < bytes.size(); i += 997) sum = 31 * sum + static_cast<unsigned char>(bytes[i]);
+    return sum;
   }
 
   // Longer than the silence that is allowed, within runs and between calls.
