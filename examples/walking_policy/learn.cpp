@@ -94,7 +94,10 @@ template <class Walk, class School>
 class training {
 public:
   training(const options& o, trot::all_cores& cores)
-      : o_(o), cores_(cores), speeds_(o.seed), bar_("learn", shows()),
+      : o_(o),
+        cores_(cores),
+        speeds_(o.seed),
+        bar_("learn", shows()),
         start_(std::chrono::steady_clock::now()) {
     for (int i = 0; i < o.reviews; ++i) review_.push_back(draw());
   }
@@ -242,7 +245,8 @@ private:
     const auto show = [&, what](std::size_t over) {
       bar_.show(0.999 * static_cast<double>(over) / static_cast<double>(count), what);
     };
-    const auto over = cores_.rollouts(count, run, {.over = show, .stops = [&] { return bool(interrupted_); }});
+    const auto over =
+        cores_.rollouts(count, run, {.over = show, .stops = [&] { return bool(interrupted_); }});
     runs_ += over.size();
     ends_early_ = over.size() < count;  // ctrl-c, here or on another rank
     return over;

@@ -1,5 +1,6 @@
 // A user's program with all components: has the main function for robots, reads a parameter from a file,
-// joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory, makes runs on all ranks.
+// joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory,
+// makes runs on all ranks.
 #include <unistd.h>
 
 #include <array>

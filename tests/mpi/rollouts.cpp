@@ -38,33 +38,39 @@ class scenario {
 public:
   scenario(int count, char** words, double silence)
       : all(count, words, {.silence = std::chrono::duration<double>(silence)}),
-        file(std::string(words[1]) + "/" + std::to_string(all.rank()) + ".part"), name(words[3]),
-        rank(count > 4 ? std::atoi(words[4]) : -1), signal(count > 5 ? std::atoi(words[5]) : 0),
+        file(std::string(words[1]) + "/" + std::to_string(all.rank()) + ".part"),
+        name(words[3]),
+        rank(count > 4 ? std::atoi(words[4]) : -1),
+        signal(count > 5 ? std::atoi(words[5]) : 0),
         at(words[1]) {}
 
   int act() {
     const bool is_chosen = all.rank() == rank;
     if (name == "bits") search([](std::size_t, std::size_t) {});
     else if (name == "few") few();
-    else if (name == "dies") search([&](std::size_t generation, std::size_t) {
-      if (generation == 1 && is_chosen) std::raise(signal);
-      wait(2);
-    });
-    else if (name == "slow") search([&](std::size_t generation, std::size_t i) {
-      if (generation == 1 && i == 0) {
-        std::printf("at work\n");
-        std::fflush(stdout);
-      }
-      wait(25);
-    });
-    else if (name == "wakes") search([&](std::size_t generation, std::size_t) {
-      if (generation == 1 && is_chosen) stand_still();
-      wait(generation == 3 ? 100 : 2);
-    });
-    else if (name == "leaves") search([&](std::size_t generation, std::size_t) {
-      if (generation == 1 && is_chosen) std::exit(5);
-      wait(2);
-    });
+    else if (name == "dies")
+      search([&](std::size_t generation, std::size_t) {
+        if (generation == 1 && is_chosen) std::raise(signal);
+        wait(2);
+      });
+    else if (name == "slow")
+      search([&](std::size_t generation, std::size_t i) {
+        if (generation == 1 && i == 0) {
+          std::printf("at work\n");
+          std::fflush(stdout);
+        }
+        wait(25);
+      });
+    else if (name == "wakes")
+      search([&](std::size_t generation, std::size_t) {
+        if (generation == 1 && is_chosen) stand_still();
+        wait(generation == 3 ? 100 : 2);
+      });
+    else if (name == "leaves")
+      search([&](std::size_t generation, std::size_t) {
+        if (generation == 1 && is_chosen) std::exit(5);
+        wait(2);
+      });
     else if (name == "long") long_runs();
     else if (name == "fails") fails();
     else if (name == "stops") stops();
@@ -162,7 +168,9 @@ private:
       try {
         all.rollouts(12, run, {.threads = 1});
         say("nothing was thrown");
-      } catch (const cca::mpi::failed_run& e) { say(e.what() + std::string(" of ") + std::to_string(e.number)); }
+      } catch (const cca::mpi::failed_run& e) {
+        say(e.what() + std::string(" of ") + std::to_string(e.number));
+      }
     }
     say(std::to_string(all.rollouts(3, [](std::size_t i) { return i; }).size()) + " results afterwards");
   }
@@ -187,14 +195,14 @@ private:
       return i;
     };
     const auto over = [](std::size_t n) { n > 5 ? throw std::runtime_error("told") : void(); };
-    const auto asked = [&]() -> bool {
-      return all.rank() == 2 ? throw std::runtime_error("asked") : false;
-    };
+    const auto asked = [&]() -> bool { return all.rank() == 2 ? throw std::runtime_error("asked") : false; };
     const auto tried = [&](const cca::sim::rollout_settings& s) {
       try {
         all.rollouts(400, run, s);
         say("nothing was thrown");
-      } catch (const cca::mpi::failed_run& e) { say(e.what() + std::string(" of ") + std::to_string(e.number)); }
+      } catch (const cca::mpi::failed_run& e) {
+        say(e.what() + std::string(" of ") + std::to_string(e.number));
+      }
     };
     tried({.over = over});
     tried({.stops = asked});

@@ -209,6 +209,6 @@ int main(int count, char** words) {
   offer(line, o);
   return cca::run_program(count, words, line, [&] {
     return o.engine == trot::engine::compiled ? search<compiled_trot>(o, cores)
-                                                 : search<trot::simulated_trot>(o, cores);
+                                              : search<trot::simulated_trot>(o, cores);
   });
 }

@@ -45,7 +45,8 @@ TEST_SUITE("hand_out") {
     CHECK_EQ(book.take_results(), std::vector{result_of(0), result_of(1), result_of(2), result_of(3)});
   }
 
-  TEST_CASE("once it ceases, it is over when nothing is under way, and the results end before the first gap") {
+  TEST_CASE(
+      "once it ceases, it is over when nothing is under way, and the results end before the first gap") {
     hand_out book(10);
     CHECK_EQ(book.take(1, 4, 1, 1), numbers{0, 1, 2, 3});
     book.is_done(1, 0, result_of(0));

@@ -82,8 +82,10 @@ TEST_SUITE("packing") {
 
   TEST_CASE("what means something on one rank only is refused") {
     static_assert(mpi::Packable<named> && mpi::Packable<std::vector<std::vector<named>>>);
-    static_assert(!mpi::Packable<double*> && !mpi::Packable<std::string_view> && !mpi::Packable<std::span<int>>);
-    static_assert(!mpi::Packable<std::unique_ptr<int>> && !mpi::Packable<with_pointer> && !mpi::Packable<no_fields>);
+    static_assert(!mpi::Packable<double*> && !mpi::Packable<std::string_view> &&
+                  !mpi::Packable<std::span<int>>);
+    static_assert(!mpi::Packable<std::unique_ptr<int>> && !mpi::Packable<with_pointer> &&
+                  !mpi::Packable<no_fields>);
     static_assert(!mpi::Packable<std::vector<const char*>> && !mpi::Packable<std::reference_wrapper<int>>);
     static_assert(!mpi::Packable<std::optional<int*>> && !mpi::Packable<std::array<char*, 2>>);
   }

@@ -1,7 +1,7 @@
 // Rank 0's book of one call: which runs wait, which are under way on which rank, which are over. It knows
 // nothing of MPI. A run that is under way on a rank that is lost waits again.
 //
-// Test: tests/mpi/hand_out.cpp.
+// Test: tests/runtime/mpi/hand_out.cpp.
 #pragma once
 
 #include <algorithm>

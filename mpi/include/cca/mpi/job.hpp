@@ -104,8 +104,9 @@ private:
       MPI_Finalize();
       return;
     }
-    std::fprintf(stderr, "cca::mpi: %d of %d ranks were lost; MPI_Abort ends what is left, with exit code %d\n",
-                 lost, all, code);
+    std::fprintf(stderr,
+                 "cca::mpi: %d of %d ranks were lost; MPI_Abort ends what is left, with exit code %d\n", lost,
+                 all, code);
     MPI_Abort(MPI_COMM_WORLD, code);
   }
 

@@ -25,15 +25,15 @@ public:
   // Returns in the child only.
   keeper() {
     int ends[2];
-    if (::pipe(ends) != 0) throw std::runtime_error("cca::mpi: no pipe: " + std::string(std::strerror(errno)));
+    if (::pipe(ends) != 0)
+      throw std::runtime_error("cca::mpi: no pipe: " + std::string(std::strerror(errno)));
     std::fflush(nullptr);
     sigset_t all, before;
     ::sigfillset(&all);
     ::sigprocmask(SIG_SETMASK, &all, &before);
     const pid_t parent = ::getpid();
     const pid_t child = ::fork();
-    if (child < 0)
-      throw std::runtime_error("cca::mpi: no process: " + std::string(std::strerror(errno)));
+    if (child < 0) throw std::runtime_error("cca::mpi: no process: " + std::string(std::strerror(errno)));
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (child > 0) {
       ::close(ends[1]);

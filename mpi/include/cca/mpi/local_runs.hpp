@@ -30,7 +30,9 @@ struct finished_run {
 inline std::string text_of(const std::exception_ptr& error) {
   try {
     std::rethrow_exception(error);
-  } catch (const std::exception& e) { return e.what(); } catch (...) { return "an exception without a text"; }
+  } catch (const std::exception& e) { return e.what(); } catch (...) {
+    return "an exception without a text";
+  }
 }
 
 class local_runs {

@@ -4,7 +4,7 @@
 // and matrices, std::string; std::vector, std::optional and std::pair of these; and a struct whose fields
 // BOOST_HANA_DEFINE_STRUCT states, if each of them can go. A pointer within a struct is not seen.
 //
-// Errors: run.not_sent, when it is compiled. Test: tests/mpi/packing.cpp.
+// Errors: run.not_sent, when it is compiled. Test: tests/runtime/mpi/packing.cpp.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,8 @@ using cca::detail::text;
 
 // It means something in its process only.
 template <class T>
-inline constexpr bool points = std::is_pointer_v<T> || std::is_member_pointer_v<T> || std::is_null_pointer_v<T>;
+inline constexpr bool points =
+    std::is_pointer_v<T> || std::is_member_pointer_v<T> || std::is_null_pointer_v<T>;
 template <class Letter, class Traits>
 inline constexpr bool points<std::basic_string_view<Letter, Traits>> = true;
 template <class T, std::size_t Extent>
@@ -47,7 +48,8 @@ template <class T, std::size_t Count>
 inline constexpr bool points<std::array<T, Count>> = points<T>;
 
 template <class T> concept Plain = std::is_trivially_copyable_v<T> && !points<T>;
-template <class T> concept Matrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T> && Plain<typename T::Scalar>;
+template <class T> concept Matrix =
+    std::is_base_of_v<Eigen::PlainObjectBase<T>, T> && Plain<typename T::Scalar>;
 
 // How T becomes bytes: `put` appends them, `get` takes them from the front. No specialisation: it can't.
 template <class T>
@@ -98,8 +100,7 @@ struct packing<T> {
     const auto rows = detail::get<std::int64_t>(bytes), columns = detail::get<std::int64_t>(bytes);
     T value;
     value.resize(rows, columns);
-    for (Eigen::Index i = 0; i < value.size(); ++i)
-      value.data()[i] = detail::get<typename T::Scalar>(bytes);
+    for (Eigen::Index i = 0; i < value.size(); ++i) value.data()[i] = detail::get<typename T::Scalar>(bytes);
     return value;
   }
 };

@@ -35,7 +35,10 @@ public:
 
   // `alone`: called on another rank than 0 once it has lost rank 0, unless that has left it out.
   post(int own_rank, int rank_count, clock::duration allowed_silence, std::function<void()> without_first)
-      : rank(own_rank), count(rank_count), silence(allowed_silence), alone(std::move(without_first)),
+      : rank(own_rank),
+        count(rank_count),
+        silence(allowed_silence),
+        alone(std::move(without_first)),
         others(static_cast<std::size_t>(count)) {
     for (other& each : others) each.heard = clock::now();
     carrier = std::jthread([this] { carry(); });
@@ -238,7 +241,8 @@ private:
       it.heard = now;
       it.pieces.append(one.bytes, sizeof head);
       if (head.goes_on != 0 || head.what == kind::alive) return;
-      inbox.push_back({head.what, head.call, head.number, head.other, std::exchange(it.pieces, {}), one.other});
+      inbox.push_back(
+          {head.what, head.call, head.number, head.other, std::exchange(it.pieces, {}), one.other});
       is_heard = true;
     }
     if (is_heard) changed.notify_all();

@@ -66,8 +66,7 @@ public:
       return sim::rollouts(count, std::move(run), settings);  // says what is wrong
     } else {
       using result = std::invoke_result_t<Run&, std::size_t>;
-      static_assert(
-          cca::detail::holds_or_tells<detail::Packable<result>, detail::not_sent<result>>::value);
+      static_assert(cca::detail::holds_or_tells<detail::Packable<result>, detail::not_sent<result>>::value);
       if constexpr (detail::Packable<result>) {
         if (!job_) return sim::rollouts(count, std::move(run), settings);
         const detail::call_facts call{job_->next_call(), count,

@@ -54,7 +54,9 @@ inline constexpr std::chrono::milliseconds longest_wait{20};  // between two que
 class shared_call {
 public:
   shared_call(post& carrier, const call_facts& facts, const sim::rollout_settings& settings)
-      : mail(carrier), call(facts), s(settings),
+      : mail(carrier),
+        call(facts),
+        s(settings),
         own(call.count, facts.threads, call.run, s.stops, [this] { mail.wake(); }) {}
 
   call_outcome make() { return mail.rank == 0 ? hand_out_all() : help(); }
@@ -125,8 +127,7 @@ private:
   }
 
   void hear(hand_out& book, std::vector<asker>& askers, const message& m) {
-    if (m.what == kind::goodbye)
-      mail.lose(m.from, "has ended, with exit code " + std::to_string(m.number));
+    if (m.what == kind::goodbye) mail.lose(m.from, "has ended, with exit code " + std::to_string(m.number));
     if (m.call != call.number) return;
     std::string_view bytes = m.bytes;
     if (m.what == kind::ask) {
