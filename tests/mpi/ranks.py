@@ -163,6 +163,7 @@ def stops(bench):
 
 def interrupted(bench):
     """Ctrl-C reaches mpirun alone; all ranks write what they have."""
+    bench.mpirun += ["--mca", "odls_base_sigkill_timeout", "20"]  # the machine may be busy
     program = subprocess.Popen(bench.words(4, PATIENCE, "interrupted", []), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                start_new_session=True)
     for _ in range(4):
