@@ -1,4 +1,4 @@
-# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds and cca::record. All of them are headers only,
+# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds, cca::record and cca::mpi. All of them are headers only,
 # but config, main, sim and record also link a small library, built once for a project: cca-compiled.cmake.
 
 include(GNUInstallDirs)
@@ -24,16 +24,19 @@ function(cca_add_headers name root)
 endfunction()
 
 foreach(component IN LISTS CCA_COMPONENTS)
-  if(NOT component MATCHES "^(config|main|sim|hardware|dds|record)$")
-    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware, dds and record")
+  if(NOT component MATCHES "^(config|main|sim|hardware|dds|record|mpi)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware, dds, record and mpi")
   endif()
 endforeach()
 if("main" IN_LIST CCA_COMPONENTS AND NOT "config" IN_LIST CCA_COMPONENTS)
   message(FATAL_ERROR "CCA_COMPONENTS: the component 'main' needs 'config'")
 endif()
+if("mpi" IN_LIST CCA_COMPONENTS AND NOT "sim" IN_LIST CCA_COMPONENTS)
+  message(FATAL_ERROR "CCA_COMPONENTS: the component 'mpi' needs 'sim'")
+endif()
 
 if(NOT PROJECT_IS_TOP_LEVEL)  # who links one of these reads of a target that was not found, and why above
-  set(left_out config main sim hardware dds record)
+  set(left_out config main sim hardware dds record mpi)
   list(REMOVE_ITEM left_out none ${CCA_COMPONENTS})
   if(left_out)
     list(JOIN left_out ", cca::" names)
@@ -126,6 +129,17 @@ if("record" IN_LIST CCA_COMPONENTS)
     "$<BUILD_INTERFACE:CCA_RECORDING_PAGE=\"${PROJECT_SOURCE_DIR}/page/recording.html\">"
     "$<INSTALL_INTERFACE:CCA_RECORDING_PAGE=\"$<INSTALL_PREFIX>/${CMAKE_INSTALL_DATADIR}/cca/recording.html\">")
   cca_compile_once(record cca_record ${PROJECT_SOURCE_DIR}/source)
+endif()
+
+if("mpi" IN_LIST CCA_COMPONENTS)
+  set(MPI_CXX_SKIP_MPICXX TRUE)  # the functions of C, not the C++ of MPI 2
+  find_package(MPI 3 REQUIRED COMPONENTS CXX)
+  find_package(Threads REQUIRED)
+  set(include ${PROJECT_SOURCE_DIR}/mpi/include)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+  cca_add_headers(mpi ${include} ${headers})
+  target_link_libraries(cca_mpi INTERFACE cca cca_sim MPI::MPI_CXX Threads::Threads)
+  target_compile_definitions(cca_mpi INTERFACE CCA_HAS_MPI=1)
 endif()
 
 foreach(component cca main sim record)

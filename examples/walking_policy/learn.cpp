@@ -1,6 +1,7 @@
 // Trains the walking policy in the simulator, on all cores, and writes its weights.
 //
 //   walking_policy_learn --out walk.policy
+//   mpirun -n 4 walking_policy_learn --out walk.policy    (docs/cluster.md)
 //
 // 1. It imitates the trot of examples/trot. The trot drives, and the network learns what it would do. Then
 //    the policy drives, and the network also learns what the trot would do where the policy has led the robot
@@ -10,9 +11,8 @@
 //    keeps the commanded speed with less slip and work. The other layers stay: what they compute from the
 //    observations is used, and so the search has 264 numbers instead of 1,992.
 //
-// The same seed gives the same bits on any number of cores.
+// The same seed gives the same bits on any number of cores and ranks.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -26,8 +26,8 @@
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
-#include <cca/sim/rollouts.hpp>
 
+#include "../trot/report/all_cores.hpp"
 #include "../trot/report/engine.hpp"
 #include "../trot/report/progress.hpp"
 #include "../trot/report/statistics.hpp"
@@ -79,6 +79,11 @@ struct options {
   }
 };
 
+// What a run of the imitation gives.
+struct attended {
+  BOOST_HANA_DEFINE_STRUCT(attended, (std::vector<walking::lesson>, lessons), (bool, fell));
+};
+
 // The circumstances of a run. Each disturbance of the training is counted, so that a judge can take others.
 struct trial {
   std::uint64_t seed;
@@ -88,24 +93,31 @@ struct trial {
 template <class Walk, class School>
 class training {
 public:
-  explicit training(const options& o)
-      : o_(o), speeds_(o.seed), bar_("learn", !o.quiet), start_(std::chrono::steady_clock::now()) {
+  training(const options& o, trot::all_cores& cores)
+      : o_(o),
+        cores_(cores),
+        speeds_(o.seed),
+        bar_("learn", shows()),
+        start_(std::chrono::steady_clock::now()) {
     for (int i = 0; i < o.reviews; ++i) review_.push_back(draw());
   }
 
   int run() {
     imitate();
-    if (interrupted_) return ended();
+    if (ends_early_) return ended();
     if (!o_.imitated.empty()) save(o_.imitated);
     const int generations = evolve();
     bar_.done();
     save(o_.out);
+    if (!cores_.is_first()) return interrupted_.exit_code();
     std::printf(
-        "seed %llu, %d generations; %zu runs of up to %.0f s, disturbances 1 to %llu; %.0f s on %u cores\n",
-        static_cast<unsigned long long>(o_.seed), generations, runs_.load(), o_.seconds,
-        static_cast<unsigned long long>(last_disturbance_), seconds(), std::thread::hardware_concurrency());
+        "seed %llu, %d generations; %zu runs of up to %.0f s, disturbances 1 to %llu; %.0f s, %u cores here, "
+        "ranks %d\n",
+        static_cast<unsigned long long>(o_.seed), generations, runs_, o_.seconds,
+        static_cast<unsigned long long>(last_disturbance_), seconds(), std::thread::hardware_concurrency(),
+        cores_.count());
     std::printf("written to %s\n", o_.out.c_str());
-    if (!interrupted_) return 0;
+    if (!ends_early_) return 0;
     std::cerr << "walking_policy_learn: interrupted; these are the weights of --generations " << generations
               << '\n';
     return interrupted_.exit_code();
@@ -118,10 +130,12 @@ private:
   }
   int ended() {
     bar_.done();
-    std::cerr << "walking_policy_learn: interrupted; nothing is written\n";
+    if (cores_.is_first()) std::cerr << "walking_policy_learn: interrupted; nothing is written\n";
     return interrupted_.exit_code();
   }
+  bool shows() const { return !o_.quiet && cores_.is_first(); }
   void save(const std::string& file) const {
+    if (!cores_.is_first()) return;
     walking::policy learned;
     learned.weights = weights_;
     learned.save(file);
@@ -130,7 +144,7 @@ private:
   void imitate() {
     std::vector<walking::lesson> lessons = attend(true), fresh;
     walking::imitation fit(weights_, lessons, o_.seed);
-    for (int round = 1; !interrupted_; ++round) {
+    for (int round = 1; !ends_early_; ++round) {
       fit.learn(lessons, o_.passes);
       say("imitation %d: %zu lessons, error %.4f rad, falls %zu", round, lessons.size(), fit.error(lessons),
           falls_);
@@ -150,19 +164,17 @@ private:
     start.load();
     std::vector<trial> trials;
     for (int i = 0; i < o_.runs; ++i) trials.push_back(draw());
-    struct attended {
-      std::vector<walking::lesson> lessons;
-      bool fell;
-    };
     const std::vector<attended> runs = rollouts(trials.size(), "imitation", [&](std::size_t i) {
-      ++runs_;
       cca::controller<School> c = start;
       walking::command_speed(c, trials[i].speed);
       c.template get<"notebook">().lessons.reserve(trot::beats_in(o_.seconds) / walking::period);
       const auto run = walking::roll_out(c, cca::sim::terrain::flat(),
                                          cca::sim::disturbance::from_seed(trials[i].seed, o_.seconds),
                                          o_.seconds, [&] { return !interrupted_; });
-      return attended{c.template get<"notebook">().lessons, run.fell};
+      attended kept;
+      kept.lessons = c.template get<"notebook">().lessons;
+      kept.fell = run.fell;
+      return kept;
     });
     std::vector<walking::lesson> all;
     falls_ = 0;
@@ -183,16 +195,16 @@ private:
     parameters kept = weights_;
     int reviewed = 0;
     say("imitated: worth %.4f", best);
-    for (int generation = 1; generation <= o_.generations && !interrupted_; ++generation) {
+    for (int generation = 1; generation <= o_.generations && !ends_early_; ++generation) {
       const auto points = search.ask();
       const trial same = draw();  // for all points of the generation
       const std::vector<double> values =
           rollouts(points.size(), "evolution", [&](std::size_t i) { return worth(points[i], same); });
-      if (interrupted_) break;
+      if (ends_early_) break;
       search.tell(values);
       if (generation % review_every != 0 && generation != o_.generations) continue;
       const double now = review(search.mean());
-      if (interrupted_) break;
+      if (ends_early_) break;
       reviewed = generation;
       say("generation %d: worth %.4f", generation, now);
       if (now > best) best = now, kept = with(search.mean());
@@ -208,7 +220,6 @@ private:
   }
 
   double worth(const Eigen::VectorXd& last, const trial& t) {
-    ++runs_;
     cca::controller<Walk> c;
     c.template get<"gait.policy">().weights = with(last);
     c.load();
@@ -234,12 +245,16 @@ private:
     const auto show = [&, what](std::size_t over) {
       bar_.show(0.999 * static_cast<double>(over) / static_cast<double>(count), what);
     };
-    return cca::sim::rollouts(count, run, {.over = show, .stops = [&] { return bool(interrupted_); }});
+    const auto over =
+        cores_.rollouts(count, run, {.over = show, .stops = [&] { return bool(interrupted_); }});
+    runs_ += over.size();
+    ends_early_ = over.size() < count;  // ctrl-c, here or on another rank
+    return over;
   }
 
   template <class... Values>
   void say(const char* format, Values... values) {
-    if (o_.quiet || interrupted_) return;
+    if (!shows() || ends_early_) return;
     bar_.done();
     std::printf(format, values...);
     std::printf("; %.0f s\n", seconds());
@@ -247,13 +262,14 @@ private:
   }
 
   const options& o_;
+  trot::all_cores& cores_;
   const cca::interruption interrupted_{};  // ctrl-c: the evolution keeps what it has; an imitation is lost
   cca::sim::uniform_numbers speeds_;
   std::uint64_t last_disturbance_ = 0;
   std::vector<trial> review_;
   parameters weights_;
-  std::atomic<std::size_t> runs_ = 0;
-  std::size_t falls_ = 0;
+  std::size_t runs_ = 0, falls_ = 0;
+  bool ends_early_ = false;
   trot::progress_bar bar_;
   std::chrono::steady_clock::time_point start_;
 };
@@ -261,6 +277,7 @@ private:
 }  // namespace
 
 int main(int count, char** words) {
+  trot::all_cores cores(count, words);
   options o;
   cca::command_line line("trains a walking policy in the simulator, on all cores");
   o.offer(line);
@@ -269,7 +286,7 @@ int main(int count, char** words) {
     if (o.disturbances() >= judged)
       throw cca::command_line_error("this takes the disturbances 1 to " + std::to_string(o.disturbances()) +
                                     ": those from " + std::to_string(judged) + " on are for the judgement");
-    if (o.engine == trot::engine::compiled) return training<compiled_walk, compiled_school>(o).run();
-    return training<walking::simulated, school>(o).run();
+    if (o.engine == trot::engine::compiled) return training<compiled_walk, compiled_school>(o, cores).run();
+    return training<walking::simulated, school>(o, cores).run();
   });
 }

@@ -14,8 +14,7 @@
 namespace walking {
 
 struct lesson {
-  policy::network::input observed;
-  policy::network::output answer;
+  BOOST_HANA_DEFINE_STRUCT(lesson, (policy::network::input, observed), (policy::network::output, answer));
 };
 
 // Lets the command of the teacher or of the policy pass.

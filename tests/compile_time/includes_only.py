@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-HEAVY = {"the physics engine": r"/ode/", "CLI11": r"/CLI/", "toml++": r"/toml\+\+/", "Zstandard": r"/zstd\.h$", "Cyclone DDS": r"/dds/dds\.h$",
+HEAVY = {"the physics engine": r"/ode/", "CLI11": r"/CLI/", "toml++": r"/toml\+\+/", "Zstandard": r"/zstd\.h$", "Cyclone DDS": r"/dds/dds\.h$", "MPI": r"/mpi\.h$",
          "Eigen's decompositions": r"/Eigen/src/(Cholesky|Eigenvalues|LU|QR|SVD)/"}
 ALLOWED = {"cca/record.hpp": ["Zstandard"]}
 LIGHT = {"cca/cca.hpp": 900, "cca/deployment.hpp": 1030, "cca/modes.hpp": 870, "cca/mapping.hpp": 800, "cca/robot.hpp": 770,

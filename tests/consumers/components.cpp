@@ -1,5 +1,6 @@
 // A user's program with all components: has the main function for robots, reads a parameter from a file,
-// joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory.
+// joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory,
+// makes runs on all ranks.
 #include <unistd.h>
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/main.hpp>
+#include <cca/mpi/ranks.hpp>
 #include <cca/record.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 #include <cca/sim/oncilla/world.hpp>
@@ -43,6 +45,7 @@ struct alone : cca::deployment<moving, cca::environment<"all", cca::other_nodes>
 static_assert(cca::robots::oncilla::leg_axes::count == 8);
 
 int main(int count, char** words) {
+  cca::mpi::ranks all(count, words);
   if (count > 1) return cca::robot_main<moving>(count, words);
   std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";
   cca::controller<moving> c;
@@ -64,7 +67,8 @@ int main(int count, char** words) {
   wire.end(0).send(drive::set_point({.position = 0.25, .stiffness = 20}).frames);
   wire.advance(1'000'000);
   std::array<cca::hardware::received_frame, 4> heard;
-  return c.get<"joint">().at == 0.25 && d.beat_index() == 10 && world.mass() > 5 &&
+  const auto twice = all.rollouts(3, [](std::size_t i) { return 2 * i; });
+  return twice.back() == 4 && c.get<"joint">().at == 0.25 && d.beat_index() == 10 && world.mass() > 5 &&
                  wire.end(1).receive(heard) == 1
              ? 0
              : 1;

@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["include", "robots/include", "sim/include", "hardware/include", "dds/include", "record/include", "examples", "page/wasm", "tools/cca_new/templates"]
+FOLDERS = ["include", "robots/include", "sim/include", "hardware/include", "dds/include", "record/include", "mpi/include", "examples", "page/wasm", "tools/cca_new/templates"]
 OWN = "include/cca/base/math"
 TRAINS = "a search before the run; its result is a file"
 OUTSIDE = {

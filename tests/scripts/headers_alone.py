@@ -16,7 +16,7 @@ import sys
 
 import reject
 
-ROOTS = ["include", "robots/include", "sim/include", "hardware/include", "dds/include", "record/include"]
+ROOTS = ["include", "robots/include", "sim/include", "hardware/include", "dds/include", "record/include", "mpi/include"]
 
 
 def headers(root):

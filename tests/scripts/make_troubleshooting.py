@@ -80,11 +80,11 @@ def wrapped(text, indent=""):
 def compiled(files, root, compilers):
     """(file name, compiler) -> what it says."""
     said = {}
-    eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
+    libraries = subprocess.run(["pkg-config", "--cflags", "eigen3", "ompi"], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
     for compiler in compilers:
         for file in files:
             one = Reject(file)
-            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/robots/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", f"-I{root}/record/include", *eigen], file, "-DCCA_REJECT=1", *one.flags)
+            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/robots/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", f"-I{root}/record/include", f"-I{root}/mpi/include", *libraries], file, "-DCCA_REJECT=1", *one.flags)
             first = next((error for error in reject.errors(output)[:one.allowed] if re.search(one.expect, reject.sentence(error))), "")
             if not first:
                 sys.exit(f"{file} on {compiler}: unexpected output\n{output}")

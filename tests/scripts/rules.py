@@ -19,7 +19,7 @@ LITERAL = re.compile(r'"((?:%s)\.[a-z_]+)[":]' % "|".join(FAMILIES))
 def rules(root):
     """Id -> the first header that has it. Comments do not count, nor do wires, whose paths look like ids."""
     found = {}
-    for base in ("include", "robots/include", "sim/include", "hardware/include", "dds/include", "record/include"):
+    for base in ("include", "robots/include", "sim/include", "hardware/include", "dds/include", "record/include", "mpi/include"):
         for header in sorted((root / base).rglob("*.hpp")):
             code = re.sub(r"//.*", "", header.read_text())
             code = re.sub(r"(?:wire|wire_inside|expose|latency|observe|get)<[^>]*>", "", code)

@@ -1,7 +1,8 @@
 // Searches parameters for the gait of examples/trot in the simulator, on all cores, and writes the best as a
-// TOML file for `trot --config`.
+// TOML file for `trot --config`. Several machines find the same, sooner (docs/cluster.md).
 //
 //   trot_search --config trot.toml --generations 40 --out found.toml
+//   mpirun -n 4 trot_search --config trot.toml --generations 40 --out found.toml
 //
 // The value of a gait is its speed, less penalties for falling, drifting, rolling, pitching, for feet that
 // slip, and for feet that stand longer or shorter than commanded. It is tried on flat ground, over steps, up
@@ -22,9 +23,9 @@
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
-#include <cca/sim/rollouts.hpp>
 
 #include "cma_es.hpp"
+#include "../../examples/trot/report/all_cores.hpp"
 #include "../../examples/trot/report/engine.hpp"
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/rollout.hpp"
@@ -145,7 +146,7 @@ void offer(cca::command_line& line, options& o) {
 }
 
 template <class Trot>
-int search(const options& o) {
+int search(const options& o, trot::all_cores& cores) {
   const cca::interruption interrupted;  // ctrl-c: the best gait so far is written
   cca::controller<Trot> start;
   if (o.config.empty()) start.load();
@@ -159,9 +160,10 @@ int search(const options& o) {
   gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
   searched best = first;
   double best_worth = worth(start, first, trials, 0, interrupted);
-  trot::progress_bar bar("search");
+  trot::progress_bar bar("search", cores.is_first());
   const double total = o.generations * static_cast<double>(o.population + 1);
-  for (int generation = 0; generation < o.generations && !interrupted; ++generation) {
+  bool ends_early = false;
+  for (int generation = 0; generation < o.generations; ++generation) {
     // The last point is the mean of the generation before: only means become the result.
     std::vector<Eigen::VectorXd> points = evolution.ask();
     points.push_back(evolution.mean());
@@ -176,8 +178,9 @@ int search(const options& o) {
       bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(over)) / total, note);
     };
     std::vector<double> values =
-        cca::sim::rollouts(points.size(), value, {.over = show, .stops = [&] { return bool(interrupted); }});
-    if (interrupted) break;  // these runs were cut short
+        cores.rollouts(points.size(), value, {.over = show, .stops = [&] { return bool(interrupted); }});
+    ends_early = values.size() < points.size();  // ctrl-c, here or on another rank
+    if (ends_early) break;
     if (values.back() > best_worth) {
       best_worth = values.back();
       best = at_point(first, points.back());
@@ -186,23 +189,26 @@ int search(const options& o) {
     evolution.tell(values);
   }
   bar.done();
+  if (!cores.is_first()) return interrupted.exit_code();
 
   cca::controller<Trot> found = start;
   found.template set<"cpg">(best.cpg);
   found.template set<"gait">(best.gait);
   found.save(o.out);
   std::cout << "worth " << best_worth << "; written to " << o.out << '\n';
-  if (interrupted) std::cerr << "trot_search: interrupted; this is the best so far\n";
+  if (ends_early) std::cerr << "trot_search: interrupted; this is the best so far\n";
   return interrupted.exit_code();
 }
 
 }  // namespace
 
 int main(int count, char** words) {
+  trot::all_cores cores(count, words);
   options o;
   cca::command_line line("searches gait parameters that make the robot fast and steady, on all cores");
   offer(line, o);
   return cca::run_program(count, words, line, [&] {
-    return o.engine == trot::engine::compiled ? search<compiled_trot>(o) : search<trot::simulated_trot>(o);
+    return o.engine == trot::engine::compiled ? search<compiled_trot>(o, cores)
+                                              : search<trot::simulated_trot>(o, cores);
   });
 }
