@@ -51,6 +51,7 @@ struct joint_drive {
   bool measured = true;    // false: a passive joint that has no port
   bool stops = true;       // false: the limits of its angle bound targets, nothing stops the joint there
   bool holds = false;      // true: before its first command the servo holds the joint where it is
+  double dry_friction = 0;  // N m, Coulomb's: it holds the joint up to this torque, and brakes it with it
 
   // Of what a position command pulls with.
   constexpr double position_stiffness() const { return cable.stiffness > 0 ? cable.stiffness : stiffness; }

@@ -69,6 +69,7 @@ public:
       : settings_(settings), ground_(detail::ground_of(around, settings.engine)) {
     model();  // its numbers are checked
     check(settings);
+    built_ = detail::built_robot<R>(settings.body);
     if (settings.steps_per_beat < 1)
       throw std::invalid_argument("cca::sim::compiled_world: a beat has at least one physics step");
     std::array<Real, n> q{};
@@ -116,6 +117,13 @@ public:
       state_.joints[c].angle = state_.motion.q[c], state_.joints[c].velocity = state_.motion.dq[c];
     read_units(true);
     ++state_.beats;
+  }
+
+  // How the drives differ from their description from now on, one for each coordinate (drive_condition.hpp).
+  // One that no drive can be in is ignored: the drive stays as it was.
+  void set_condition(std::span<const drive_condition> now) {
+    take_possible(now, state_.conditions);
+    built_.take(state_.conditions);
   }
 
   // A force and a torque at the end of a part, along the world's axes, until they are set again. What is not
@@ -185,13 +193,13 @@ public:
     return end(index_of(model().names.ends, part, "part"));
   }
 
-  double mass() const { return tree::mass; }
+  double mass() const { return tree::mass + built_.added.mass(); }
   std::array<Real, 3> centre_of_mass() const {
-    const vector3 c = whole::centre_of_mass(state_.motion);
+    const vector3 c = whole::centre_of_mass(state_.motion, built_.added);
     return {c[0], c[1], c[2]};
   }
   // Of the robot alone, J: kinetic, and potential from the height of the world's origin.
-  Real energy() const { return whole::energy(state_.motion, settings_.engine.gravity); }
+  Real energy() const { return whole::energy(state_.motion, settings_.engine.gravity, built_.added); }
   // In springs and cables between points and in the springs of joints, J.
   Real spring_energy() const { return whole::spring_energy(state_.motion); }
   // The force of a spring or cable (in order of declaration), N; negative: it pushes.
@@ -232,7 +240,10 @@ public:
   }
 
   const state_type& save() const { return state_; }
-  void restore(const state_type& s) { state_ = s; }
+  void restore(const state_type& s) {
+    state_ = s;
+    built_.take(state_.conditions);
+  }
 
 private:
   void put(const std::array<Real, n>& q,
@@ -277,7 +288,7 @@ private:
   void step() {
     const double h = step_seconds();
     auto& m = state_.motion;
-    step_type now(h);
+    step_type now(h, built_);
     now.begin(m, settings_.engine.gravity);
     pull_and_push(now);
     now.solve(m, state_.drives);
@@ -328,6 +339,7 @@ private:
   robot_world_settings settings_;
   detail::ground ground_;
   state_type state_{};
+  detail::built_robot<R> built_;
 };
 
 }  // namespace cca::sim
