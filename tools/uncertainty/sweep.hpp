@@ -18,9 +18,9 @@
 
 namespace uncertain {
 
-// Of one run: it did not fall or give up; it was as good as its own judge asks of the ideal robot.
+// Of one run: it did what it is for, if badly; it was as good as its own judge asks of the ideal robot.
 struct verdict {
-  bool stands = false, is_good = false;
+  bool goes_on = false, is_good = false;
 };
 
 struct options {
@@ -41,7 +41,7 @@ struct options {
 
 struct counted {
   double amount;
-  std::size_t stand, good;
+  std::size_t going, good;
 };
 
 inline std::string counts(const std::vector<counted>& all, std::size_t counted::* of, std::size_t runs) {
@@ -80,13 +80,13 @@ int sweep(const options& o, const Judge& judge) {
         },
         {.stops = [&] { return bool(interrupted); }});
     counted sum{amount, 0, 0};
-    for (const verdict& v : runs) sum.stand += v.stands, sum.good += v.stands && v.is_good;
+    for (const verdict& v : runs) sum.going += v.goes_on, sum.good += v.goes_on && v.is_good;
     return sum;
   };
   const counted ideal = tried(nullptr, 0);
-  std::printf("nothing uncertain: %zu of %d stand, %zu within the bounds (%s)\n\n", ideal.stand,
+  std::printf("nothing uncertain: %zu of %d go on, %zu within the bounds (%s)\n\n", ideal.going,
               static_cast<int>(o.count), ideal.good, trot::name_of(o.engine).c_str());
-  std::printf("| kind | unit | all within bounds to | all stand to | fewer stand |\n|---|---|---|---|---|\n");
+  std::printf("| kind | unit | all within bounds to | all go on to | fewer go on |\n|---|---|---|---|---|\n");
   bool is_known = false;
   for (const kind& k : kinds()) {
     if (k.name.find(o.only) == k.name.npos) continue;
@@ -96,11 +96,11 @@ int sweep(const options& o, const Judge& judge) {
     for (const double amount : k.amounts) {
       all.push_back(tried(&k, amount));
       if (interrupted) return interrupted.exit_code();
-      if (2 * all.back().stand < o.count) break;
+      if (2 * all.back().going < o.count) break;
     }
-    const std::string fewer = all.back().stand < o.count ? counts(all, &counted::stand, o.count) : "";
+    const std::string fewer = all.back().going < o.count ? counts(all, &counted::going, o.count) : "";
     std::printf("| %s | %s | %s | %s | %s |\n", std::string(k.name).c_str(), std::string(k.unit).c_str(),
-                held(all, &counted::good, ideal.good).c_str(), held(all, &counted::stand, ideal.stand).c_str(),
+                held(all, &counted::good, ideal.good).c_str(), held(all, &counted::going, ideal.going).c_str(),
                 fewer.c_str());
     std::fflush(stdout);
   }
