@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -44,12 +43,15 @@ struct counted {
   std::size_t going, good;
 };
 
+// How many runs are so, for the amounts for which not all are.
 inline std::string counts(const std::vector<counted>& all, std::size_t counted::* of, std::size_t runs) {
   std::string text;
+  char part[48];
   for (const counted& one : all) {
-    char part[64];
-    std::snprintf(part, sizeof part, "%s%g: %zu", text.empty() ? "" : ", ", one.amount, one.*of);
-    if (one.*of < runs || &one == &all.back()) text += part;
+    if (one.*of == runs) continue;
+    std::snprintf(part, sizeof part, "%s%g: %d", text.empty() ? "" : ", ", one.amount,
+                  static_cast<int>(one.*of));
+    text += part;
   }
   return text;
 }
@@ -70,27 +72,27 @@ template <class Judge>
 int sweep(const options& o, const Judge& judge) {
   const cca::interruption interrupted;
   const auto tried = [&](const kind* of, double amount) {
-    const auto runs = cca::sim::rollouts(
-        o.count,
-        [&](std::size_t i) {
-          uncertainty u{};
-          u.seed = static_cast<std::int64_t>(o.first + i);
-          if (of) of->set(u, amount);
-          return judge(u, o.first + i);
-        },
-        {.stops = [&] { return bool(interrupted); }});
+    const auto runs = cca::sim::rollouts(o.count,
+                                         [&](std::size_t i) {
+                                           uncertainty u{};
+                                           u.seed = static_cast<std::int64_t>(o.first + i);
+                                           if (of) of->set(u, amount);
+                                           return judge(u, o.first + i);
+                                         },
+                                         {.stops = [&] { return bool(interrupted); }});
     counted sum{amount, 0, 0};
     for (const verdict& v : runs) sum.going += v.goes_on, sum.good += v.goes_on && v.is_good;
     return sum;
   };
+  if (std::ranges::none_of(kinds(), [&](const kind& k) { return k.name.find(o.only) != k.name.npos; }))
+    throw cca::command_line_error("--only " + o.only + ": no kind of uncertainty has this in its name");
   const counted ideal = tried(nullptr, 0);
   std::printf("nothing uncertain: %zu of %d go on, %zu within the bounds (%s)\n\n", ideal.going,
               static_cast<int>(o.count), ideal.good, trot::name_of(o.engine).c_str());
-  std::printf("| kind | unit | all within bounds to | all go on to | fewer go on |\n|---|---|---|---|---|\n");
-  bool is_known = false;
+  std::printf(
+      "| kind | unit | all within bounds to | fewer | all go on to | fewer |\n|---|---|---|---|---|---|\n");
   for (const kind& k : kinds()) {
     if (k.name.find(o.only) == k.name.npos) continue;
-    is_known = true;
     if (o.engine == trot::engine::compiled && !k.in_compiled_physics) continue;
     std::vector<counted> all;
     for (const double amount : k.amounts) {
@@ -98,13 +100,11 @@ int sweep(const options& o, const Judge& judge) {
       if (interrupted) return interrupted.exit_code();
       if (2 * all.back().going < o.count) break;
     }
-    const std::string fewer = all.back().going < o.count ? counts(all, &counted::going, o.count) : "";
-    std::printf("| %s | %s | %s | %s | %s |\n", std::string(k.name).c_str(), std::string(k.unit).c_str(),
-                held(all, &counted::good, ideal.good).c_str(), held(all, &counted::going, ideal.going).c_str(),
-                fewer.c_str());
+    std::printf("| %s | %s | %s | %s | %s | %s |\n", std::string(k.name).c_str(), std::string(k.unit).c_str(),
+                held(all, &counted::good, o.count).c_str(), counts(all, &counted::good, o.count).c_str(),
+                held(all, &counted::going, o.count).c_str(), counts(all, &counted::going, o.count).c_str());
     std::fflush(stdout);
   }
-  if (!is_known) throw cca::command_line_error("--only " + o.only + ": no kind of uncertainty has this in its name");
   return 0;
 }
 

@@ -1,5 +1,5 @@
-// How much uncertainty the arm that is guided, wipes and yields bears (sweep.hpp): its own bounds judge it. The
-// Open Dynamics Engine only: compiled physics has no table.
+// How much uncertainty the arm that is guided, wipes and yields bears (sweep.hpp): its own bounds judge it.
+// The Open Dynamics Engine only: compiled physics has no table.
 //
 //   uncertainty_touch --seeds 4
 #include <cca/cca.hpp>
@@ -48,7 +48,8 @@ int main(int count, char** words) {
   o.offer(line);
   return cca::run_program(count, words, line, [&] {
     if (o.engine != trot::engine::ode)
-      throw cca::command_line_error("--engine compiled: compiled physics has no table; leave out this option");
+      throw cca::command_line_error(
+          "--engine compiled: compiled physics has no table; leave out this option");
     return run(o);
   });
 }

@@ -1,5 +1,5 @@
-// How much uncertainty the trot bears (sweep.hpp): bounds.hpp of the trot judges it. It goes on if it does not
-// fall, and is half as fast as that asks.
+// How much uncertainty the trot bears (sweep.hpp): bounds.hpp of the trot judges it. It goes on if it does
+// not fall, and is half as fast as that asks.
 //
 //   uncertainty_trot --config trot.toml --seeds 10 --engine compiled
 #include <string>
@@ -32,8 +32,8 @@ int run(const uncertain::options& o, const std::string& config) {
     auto disturbance = cca::sim::disturbance::from_seed(seed, o.seconds);
     const auto ground = uncertain::ground_under(u, disturbance.friction);
     disturbance.friction = ground.friction();
-    const auto figures = trot::evaluate(trot::roll_out(
-        c, ground, disturbance, o.seconds, [] { return true; }, cca::sim::drawn_settings(u)));
+    const auto figures = trot::evaluate(
+        trot::roll_out(c, ground, disturbance, o.seconds, [] { return true; }, cca::sim::drawn_settings(u)));
     const bool goes_on = !figures.fell && figures.cruise >= 0.5 * trot::bounds().least_cruise;
     return uncertain::verdict{goes_on, trot::keeps(figures, commanded)};
   });

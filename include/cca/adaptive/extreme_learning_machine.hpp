@@ -28,7 +28,7 @@
 #include <Eigen/Cholesky>
 
 #include <cca/base/math.hpp>
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/robots/arm/description.hpp>
 #include <cca/robots/oncilla/description.hpp>
 #include <cca/sim/compiled/compiled_world.hpp>
@@ -93,7 +93,6 @@ std::string refusal(auto change) {
   } catch (const std::invalid_argument& e) { return e.what(); }
   return "";
 }
-
 
 template <class R>
 std::array<sim::joint_law, coordinates<R>> torque_on(std::size_t joint, double torque) {
@@ -187,10 +186,12 @@ TEST_SUITE("uncertain: bodies") {
   }
 
   TEST_CASE("masses that no link has are refused") {
-    CHECK(refusal([](auto& s) { s.body.mass_of(0) = 0; }).find("a factor of the mass of a link") != std::string::npos);
-    CHECK(refusal([](auto& s) { s.body.mass_of(0) = -1; }).find("above 0") != std::string::npos);
-    CHECK(refusal([](auto& s) { s.body.length_of(0) = std::nan(""); }).find("a factor of the length of a link") !=
+    CHECK(refusal([](auto& s) { s.body.mass_of(0) = 0; }).find("a factor of the mass of a link") !=
           std::string::npos);
+    CHECK(refusal([](auto& s) { s.body.mass_of(0) = -1; }).find("above 0") != std::string::npos);
+    CHECK(refusal([](auto& s) {
+            s.body.length_of(0) = std::nan("");
+          }).find("a factor of the length of a link") != std::string::npos);
     CHECK_THROWS_AS(refusal([](auto& s) { s.body.mass_of(64) = 1; }), std::out_of_range);
     CHECK(refusal([](auto&) {}).empty());
   }
@@ -235,8 +236,8 @@ TEST_SUITE("uncertain: bodies") {
     const double none = std::nan("");
     const auto kept = both([&](auto& w) {
       speed_of_rod(w, 0, {.friction = 0.05}, 1);
-      for (const sim::drive_condition& bad : {sim::drive_condition{.strength = -1}, {.supply = 0},
-                                             {.friction = none}, {.dry_friction = -0.1}})
+      for (const sim::drive_condition& bad :
+           {sim::drive_condition{.strength = -1}, {.supply = 0}, {.friction = none}, {.dry_friction = -0.1}})
         w.set_condition(std::array{bad});
       const auto saved = w.save();
       w.set_condition(std::array{sim::drive_condition{}});

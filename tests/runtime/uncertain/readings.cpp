@@ -1,4 +1,5 @@
-// What is wrong with a reading has the size that was asked for: statistics of many readings, from fixed seeds.
+// What is wrong with a reading has the size that was asked for: statistics of many readings, from fixed
+// seeds.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -7,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/sim/uncertain/uncertainty.hpp>
 
 namespace sim = cca::sim;
@@ -208,17 +209,23 @@ TEST_SUITE("uncertain: readings") {
 
   TEST_CASE("what can't be is refused in a sentence") {
     CHECK(refusal([](auto&) {}).empty());
-    CHECK(refusal([](auto& u) { u.angle.noise = -0.1; }).find("angle.noise: -0.1 rad is out of range, expected 0 to") !=
-          std::string::npos);
-    CHECK(refusal([](auto& u) { u.orientation.noise = std::nan(""); }).find("orientation.noise: nan rad is not allowed") !=
-          std::string::npos);
-    CHECK(refusal([](auto& u) { u.angle.loss = 1.5; }).find("angle.loss: 1.5 is out of range, expected 0 to 1") !=
-          std::string::npos);
-    CHECK(refusal([](auto& u) { u.drives.delay = 1; }).find("drives.delay: 1 s is out of range, expected 0 to 0.25") !=
-          std::string::npos);
-    CHECK(refusal([](auto& u) { u.battery.resistance = 1; })
-              .find("a battery with a resistance needs its open_circuit voltage") != std::string::npos);
-    CHECK(refusal([](auto& u) { u.ground.slope = 0.1, u.ground.step = 0.01; })
-              .find("a ground has a slope or steps, not both") != std::string::npos);
+    CHECK(refusal([](auto& u) {
+            u.angle.noise = -0.1;
+          }).find("angle.noise: -0.1 rad is out of range, expected 0 to") != std::string::npos);
+    CHECK(refusal([](auto& u) {
+            u.orientation.noise = std::nan("");
+          }).find("orientation.noise: nan rad is not allowed") != std::string::npos);
+    CHECK(refusal([](auto& u) {
+            u.angle.loss = 1.5;
+          }).find("angle.loss: 1.5 is out of range, expected 0 to 1") != std::string::npos);
+    CHECK(refusal([](auto& u) {
+            u.drives.delay = 1;
+          }).find("drives.delay: 1 s is out of range, expected 0 to 0.25") != std::string::npos);
+    CHECK(refusal([](auto& u) {
+            u.battery.resistance = 1;
+          }).find("a battery with a resistance needs its open_circuit voltage") != std::string::npos);
+    CHECK(refusal([](auto& u) {
+            u.ground.slope = 0.1, u.ground.step = 0.01;
+          }).find("a ground has a slope or steps, not both") != std::string::npos);
   }
 }

@@ -137,14 +137,22 @@ TEST_SUITE("uncertain: robots") {
   }
 
   TEST_CASE("a file sets it") {
-    in_compiled c;
+    // [set]
+    cca::controller<uncertain_arm<cca::sim::compiled>> c;
+    cca::sim::uncertainty u{};
+    u.seed = 7;
+    u.velocity.bias = 0.1;
     c.load();
+    c.set<"robot.simulator">(u);
     c.set("robot.simulator.angle.noise", "2 deg");
     c.set("robot.simulator.drives.delay", "5 ms");
+    // [set end]
+    CHECK(c.get<"robot.simulator">().p.seed == 7);
     CHECK(c.get<"robot.simulator">().p.angle.noise == doctest::Approx(0.0349066));
     CHECK(c.get<"robot.simulator">().p.drives.delay == doctest::Approx(0.005));
     CHECK_THROWS_WITH_AS(c.set("robot.simulator.angle.noise", -1.0),
-                         doctest::Contains("robot.simulator.angle.noise: -1 rad is out of range"), cca::refused);
+                         doctest::Contains("robot.simulator.angle.noise: -1 rad is out of range"),
+                         cca::refused);
   }
 
   TEST_CASE("what the robot measures has the noise and the bias, its motion has not") {

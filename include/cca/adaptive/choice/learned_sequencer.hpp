@@ -46,7 +46,7 @@
 #include <cca/adaptive/choice/preference.hpp>
 #include <cca/adaptive/sequencer.hpp>
 #include <cca/adaptive/training.hpp>
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 
 namespace cca {
 

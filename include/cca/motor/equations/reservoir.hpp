@@ -19,14 +19,12 @@
 #include <cstdint>
 
 #include <cca/base/math.hpp>
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca {
 
-namespace detail {
-
-}  // namespace detail
+namespace detail {}  // namespace detail
 
 struct reservoir_settings {
   std::uint64_t seed;

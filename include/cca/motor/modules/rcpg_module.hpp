@@ -39,7 +39,7 @@
 
 #include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/recursive_least_squares.hpp>
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/motor/dmp_shapes.hpp>
 #include <cca/motor/equations/reservoir.hpp>

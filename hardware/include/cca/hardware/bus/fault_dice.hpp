@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/hardware/bus/can_frame.hpp>
 
 namespace cca::hardware::detail {

@@ -66,10 +66,10 @@ public:
   static constexpr double beat = 1 / cca::detail::hz_of<typename R::rate>;
 
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
-      : settings_(settings), ground_(detail::ground_of(around, settings.engine)) {
+      : settings_((check(settings), settings)),
+        ground_(detail::ground_of(around, settings.engine)),
+        built_(settings.body) {
     model();  // its numbers are checked
-    check(settings);
-    built_ = detail::built_robot<R>(settings.body);
     if (settings.steps_per_beat < 1)
       throw std::invalid_argument("cca::sim::compiled_world: a beat has at least one physics step");
     std::array<Real, n> q{};
@@ -77,7 +77,7 @@ public:
     put(q, {}, settings.mount, {}, {});
   }
 
-  explicit compiled_world(const robot_world_settings& settings) : compiled_world({}, settings) {}
+  explicit compiled_world(const robot_world_settings& s) : compiled_world({}, s) {}
   static compiled_world at_start() { return compiled_world(); }
 
   // Puts the robot there: coordinates and speeds, and the motion of a base that floats. All are finite.
@@ -119,8 +119,7 @@ public:
     ++state_.beats;
   }
 
-  // How the drives differ from their description from now on, one for each coordinate (drive_condition.hpp).
-  // One that no drive can be in is ignored: the drive stays as it was.
+  // Of the drives from now on, one for each coordinate; what no drive can be in is ignored.
   void set_condition(std::span<const drive_condition> now) {
     take_possible(now, state_.conditions);
     built_.take(state_.conditions);
@@ -138,7 +137,7 @@ public:
   }
   // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
   void push(const std::array<Real, 3>& force) { take(state_.push, force); }
-  // Pushes as the plan says, but only where it says something else than at the last call.
+  // As the plan says, where it says something else than at the last call.
   void follow(const push_plan& plan) {
     const std::array<double, 3> now = plan.force_at(time());
     if (now != state_.planned) push({Real(now[0]), Real(now[1]), Real(now[2])});
@@ -207,8 +206,7 @@ public:
     return whole::tension(state_.motion, numbered(spring, tree::lines.size(), "spring"));
   }
 
-  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
-  // motors. Links that are held parallel stay so.
+  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; of the motors.
   const contact_account& contact(std::size_t shape) const {
     return state_.contacts[numbered(shape, state_.contacts.size(), "shape of the robot")];
   }
@@ -240,10 +238,7 @@ public:
   }
 
   const state_type& save() const { return state_; }
-  void restore(const state_type& s) {
-    state_ = s;
-    built_.take(state_.conditions);
-  }
+  void restore(const state_type& s) { state_ = s, built_.take(s.conditions); }
 
 private:
   void put(const std::array<Real, n>& q,

@@ -15,7 +15,7 @@
 #include <span>
 
 #include <cca/robots/joint_law.hpp>
-#include <cca/sim/compiled/built_robot.hpp>
+#include <cca/sim/compiled/built/built_robot.hpp>
 #include <cca/sim/compiled/limbs/limb_solution.hpp>
 #include <cca/sim/compiled/line_forces.hpp>
 #include <cca/sim/compiled/tree_motion.hpp>
@@ -205,7 +205,8 @@ private:
       const Real& dv = change[row(c)];
       Real force = joints[c].at(dv, joints[c].motor.at(dv)).force;
       if (built->has_dry_friction)
-        force = force + by_dry_friction(Real(built->drives[c].dry_friction), joints[c].now, dv, Real(0.0)).force;
+        force =
+            force + by_dry_friction(Real(built->drives[c].dry_friction), joints[c].now, dv, Real(0.0)).force;
       check(taken[c], force, dv - guess[row(c)]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i) {

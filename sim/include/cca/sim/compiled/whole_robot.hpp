@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include <cca/sim/compiled/limbs/added_masses.hpp>
+#include <cca/sim/compiled/built/added_masses.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/tree_equations.hpp>
 #include <cca/sim/engine/moving_frame.hpp>
@@ -59,7 +59,8 @@ struct whole_robot {
   static Real energy(const motion& m, double gravity, const added_masses<R>& added) {
     auto now = at(m);
     now.weigh({}, {}, {});
-    if (added.exist()) added.weigh(now, typename tree_equations<R, Real>::coordinates{}, triple<Real>{}, triple<Real>{});
+    if (added.exist())
+      added.weigh(now, typename tree_equations<R, Real>::coordinates{}, triple<Real>{}, triple<Real>{});
     typename links::vector v{};
     if constexpr (tree::floats) {
       const auto base = m.frame();
@@ -67,7 +68,8 @@ struct whole_robot {
       for (std::size_t k = 0; k < 3; ++k) v[k] = w[k], v[3 + k] = u[k];
     }
     for (std::size_t c = 0; c < m.dq.size(); ++c) v[links::row(static_cast<int>(c))] = m.dq[c];
-    return Real(0.5) * now.mass.form(v) + Real(gravity * (tree::mass + added.mass())) * centre_of_mass(m, added)[2];
+    return Real(0.5) * now.mass.form(v) +
+           Real(gravity * (tree::mass + added.mass())) * centre_of_mass(m, added)[2];
   }
 
   static constexpr Real spring_energy(const motion& m) {

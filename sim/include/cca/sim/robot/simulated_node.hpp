@@ -13,8 +13,9 @@
 //
 // `put_down` sets the world; without it the robot stands alone where R::start has it. `disturb` pushes the
 // base at given times; `world()` is for all else that happens to the robot: pulls, boxes that move. A copy of
-// the node is a snapshot of the world. A node that is derived from it may change the commands and the readings
-// (uncertain/uncertain_robot.hpp). Cost: a beat of physics (docs/robots.md); the rest is copying numbers.
+// the node is a snapshot of the world. A node that is derived from it may change the commands and the
+// readings (uncertain/uncertain_robot.hpp). Cost: a beat of physics (docs/robots.md); the rest is copying
+// numbers.
 //
 //   World   robot_world, or a type derived from it that answers more questions (cca/sim/oncilla/world.hpp); its
 //           `at_start()` says how it is put down unless a program does

@@ -23,7 +23,7 @@
 #include <cstddef>
 
 #include <cca/base/eigen.hpp>
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/space/methods/rotation.hpp>
 
@@ -111,8 +111,10 @@ public:
       if (p.noise > 0 || p.bias > 0) {
         Eigen::Vector3d turn;
         for (std::size_t k = 0; k < 3; ++k)
-          turn[static_cast<Eigen::Index>(k)] = p.bias * bias_[k] + p.noise * (p.noise > 0 ? random.normal() : 0);
-        const Eigen::Vector4d q = rotation::product(rotation::exp<double>(turn), Eigen::Vector4d(Eigen::Vector4d::Map(now.data())));
+          turn[static_cast<Eigen::Index>(k)] =
+              p.bias * bias_[k] + p.noise * (p.noise > 0 ? random.normal() : 0);
+        const Eigen::Vector4d q =
+            rotation::product(rotation::exp<double>(turn), Eigen::Vector4d(Eigen::Vector4d::Map(now.data())));
         Eigen::Vector4d::Map(now.data()) = q;
       }
     }

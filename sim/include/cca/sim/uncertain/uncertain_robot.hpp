@@ -6,14 +6,15 @@
 //   controller.set("robot.simulator.orientation.noise", "1 deg");
 //
 // `uncertain<World>` takes any world that cca::sim::robot does. The parameters are those of the node
-// "simulator", so files set them, too; they may change while it runs, but the seed counts from the next start.
-// The masses and the ground belong to the world that a program puts down.
+// "simulator", so files set them, too; they may change while it runs, but the seed counts from the next
+// start. The masses and the ground belong to the world that a program puts down.
 //
-// Readings: joints and sensors, each as its parameters say. Commands: late, lost, a position with backlash and
-// at a bounded speed; until the first one has come through, it counts at once. Drives and battery act within
-// the physics (drive_condition.hpp). Without uncertainty it has the bits of the plain robot. A copy is a
-// snapshot. Errors: as cca/sim/robot.hpp; parameters. Cost: a table of all numbers for each of the last 250 ms,
-// 100 operations for each number with noise. It allocates nothing. Example: tests/runtime/uncertain/robots.cpp.
+// Readings: joints and sensors, each as its parameters say. Commands: late, lost, a position with backlash
+// and at a bounded speed; until the first one has come through, it counts at once. Drives and battery act
+// within the physics (drive_condition.hpp). Without uncertainty it has the bits of the plain robot. A copy is
+// a snapshot. Errors: as cca/sim/robot.hpp; parameters. Cost: a table of all numbers for each of the last 250
+// ms, 100 operations for each number with noise. It allocates nothing. Example:
+// tests/runtime/uncertain/robots.cpp.
 #pragma once
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include <cca/sim/robot/model/drive_condition.hpp>
 #include <cca/sim/robot/robot_graph.hpp>
 #include <cca/sim/uncertain/uncertainty.hpp>
 

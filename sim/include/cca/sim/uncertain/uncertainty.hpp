@@ -7,15 +7,15 @@
 //   cca::sim::world(cca::sim::drawn_ground(u), posture, cca::sim::drawn_settings(u));   // body and ground
 //
 // All are 0: nothing is uncertain. Where a parameter is a spread (a standard deviation) the seed decides what
-// is drawn: the same seed the same robot, and twice the spread is twice as far from the description. Units are
-// those of the SI; a file may give others ("5 ms", "2 deg"). Errors: `cca::refused`, where a parameter is set,
-// for what is out of its range; std::invalid_argument for a body or a ground that no world can have.
+// is drawn: the same seed the same robot, and twice the spread is twice as far from the description. Units
+// are those of the SI; a file may give others ("5 ms", "2 deg"). Errors: `cca::refused`, where a parameter is
+// set, for what is out of its range; std::invalid_argument for a body or a ground that no world can have.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 
-#include <cca/base/random_numbers.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/robots/inertial.hpp>
 #include <cca/sim/engine/terrain.hpp>
 #include <cca/sim/robot/model/robot_world_settings.hpp>
@@ -31,13 +31,13 @@ struct electrical_resistance {
 
 struct uncertain_drives {
   BOOST_HANA_DEFINE_STRUCT(uncertain_drives,
-                           (delay_parameter, delay),              // of commands
-                           (share_parameter, loss),               // of the commands of a joint in a beat
-                           (quantity<angle, 0, 1>, backlash),     // lost motion of a position, whole width
-                           (quantity<velocity, 0, 1e4>, speed),   // of a position, at most; 0: no limit
-                           (bounded<double, 0, 0.3>, strength),   // spread of the motors' torque
-                           (bounded<double, 0, 0.99>, weakness),  // share of the motors' torque that is lost
-                           (quantity<damping, 0, 1e3>, friction),      // in each joint up to this
+                           (delay_parameter, delay),               // of commands
+                           (share_parameter, loss),                // of the commands of a joint in a beat
+                           (quantity<angle, 0, 1>, backlash),      // lost motion of a position, whole width
+                           (quantity<velocity, 0, 1e4>, speed),    // of a position, at most; 0: no limit
+                           (bounded<double, 0, 0.3>, strength),    // spread of the motors' torque
+                           (bounded<double, 0, 0.99>, weakness),   // share of the motors' torque that is lost
+                           (quantity<damping, 0, 1e3>, friction),  // in each joint up to this
                            (quantity<torque, 0, 1e3>, dry_friction));  // in each joint up to this
 };
 
@@ -49,7 +49,9 @@ struct uncertain_battery {
                            (quantity<electrical_resistance, 0, 1e3>, resistance),
                            (quantity<duration, 0, 100>, mean));  // of the power; 0: that of the last beat
   const char* check() const {
-    return resistance > 0 && !(open_circuit > 0) ? "a battery with a resistance needs its open_circuit voltage" : "";
+    return resistance > 0 && !(open_circuit > 0)
+               ? "a battery with a resistance needs its open_circuit voltage"
+               : "";
   }
 };
 

@@ -2,8 +2,8 @@
 //
 // In each physics step each of them is a soft force (soft_force.hpp). Where the step is well within its
 // stable range (mobility.hpp) it is explicit: a torque. Else it is a constraint: of the engine, or, in a
-// robot with coupled joints, of their projection. Dry friction is always a constraint. So every stiffness, damping and step is stable, and what
-// was right already costs nothing.
+// robot with coupled joints, of their projection. Dry friction is always a constraint. So every stiffness,
+// damping and step is stable, and what was right already costs nothing.
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 // A soft force (soft_force.hpp) is a motor of the engine whose softness (CFM) is one divided by the force's
 // resistance: the engine finds its force together with those of joints, stops and contacts. Three for each
 // coordinate: what is in the joint, without bounds, and its motor and its dry friction, within bounds. One
-// without a force costs nothing in a step. In a robot with coupled joints all are part of the projection (coupled_joints.hpp).
+// without a force costs nothing in a step. In a robot with coupled joints all are part of the projection
+// (coupled_joints.hpp).
 #pragma once
 
 #include <array>

@@ -54,8 +54,8 @@ struct robot_state {
       const auto* bytes = reinterpret_cast<const unsigned char*>(all.data());
       for (std::size_t i = 0; i < all.size() * sizeof(all[0]); ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
     };
-    add(bodies), add(laws), add(conditions), add(joints), add(loads), add(winches), add(inertial), add(pulls), add(pressing),
-        add(boxes), add(push), add(contacts), add(end_forces);
+    add(bodies), add(laws), add(conditions), add(joints), add(loads), add(winches), add(inertial), add(pulls),
+        add(pressing), add(boxes), add(push), add(contacts), add(end_forces);
     add(std::array{positive_work, absolute_work, parallel_error});
     add(std::array<std::int64_t, 1>{beats});
     return h;

@@ -51,10 +51,9 @@ public:
     prepare_engine();
     const engine_alarms_thrown here;
     try {
-      return std::unique_ptr<world_in_engine>(
-          new world_in_engine(std::make_shared<const robot_model>(
-                                  varied(checked(std::move(model)), settings.body)),
-                              std::make_shared<const scene>(checked(std::move(around))), settings, nullptr));
+      return std::unique_ptr<world_in_engine>(new world_in_engine(
+          std::make_shared<const robot_model>(varied(checked(std::move(model)), settings.body)),
+          std::make_shared<const scene>(checked(std::move(around))), settings, nullptr));
     } catch (const engine_alarm& alarm) {
       throw std::invalid_argument(
           std::string("cca::sim: the physics engine can't make a world of these numbers: ") +

@@ -7,7 +7,7 @@
 #include <span>
 #include <stdexcept>
 
-#include <cca/sim/compiled/limbs/added_masses.hpp>
+#include <cca/sim/compiled/built/added_masses.hpp>
 #include <cca/sim/robot/model/drive_condition.hpp>
 
 namespace cca::sim::detail {

@@ -36,8 +36,7 @@ struct moments_at_base {
       for (std::size_t c = r; c < 3; ++c) {
         Real sum = f.at[r] * arm[c] + arm[r] * f.at[c] + m.mass * f.at[r] * f.at[c];
         for (std::size_t k = 0; k < 3; ++k)
-          for (std::size_t l = 0; l < 3; ++l)
-            sum = sum + Real(own.at(k, l)) * f.axes[k][r] * f.axes[l][c];
+          for (std::size_t l = 0; l < 3; ++l) sum = sum + Real(own.at(k, l)) * f.axes[k][r] * f.axes[l][c];
         m.second[cca::detail::mass_moments::index(r, c)] = sum;
       }
     return m;
@@ -94,7 +93,10 @@ public:
 
   // Adds to M and to the forces that motion and gravity leave (tree_equations::weigh).
   template <class Equations, class Speeds, class Real>
-  void weigh(Equations& now, const Speeds& speeds, const triple<Real>& turning, const triple<Real>& up) const {
+  void weigh(Equations& now,
+             const Speeds& speeds,
+             const triple<Real>& turning,
+             const triple<Real>& up) const {
     using on = on_links<R, Real>;
     struct motion {
       triple<Real> w, turned, a;  // rad/s, rad/s^2, and m/s^2 of the origin of the link
@@ -126,8 +128,8 @@ public:
       if (l.parent >= 0) all[static_cast<std::size_t>(l.parent)] += all[i];
       else whole += all[i];
       const triple<Real> axis = Real(l.ratio) * now.places[i].axes[l.axis];
-      const auto load = l.revolute ? all[i].of_motion(axis, cross(now.places[i].at, axis))
-                                   : all[i].of_motion({}, axis);
+      const auto load =
+          l.revolute ? all[i].of_motion(axis, cross(now.places[i].at, axis)) : all[i].of_motion({}, axis);
       const std::size_t own = on::row(l.coordinate);
       if constexpr (tree::floats)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -137,7 +139,8 @@ public:
       bool is_own = true;
       on::each_joint(now.places, static_cast<int>(i),
                      [&](std::size_t r, const triple<Real>& u, const triple<Real>& at, bool turns) {
-                       const Real x = turns ? dot(u, load.moment - cross(at, load.force)) : dot(u, load.force);
+                       const Real x =
+                           turns ? dot(u, load.moment - cross(at, load.force)) : dot(u, load.force);
                        Real& e = entry(now, own, r);
                        e = e + (r == own && !is_own ? x + x : x);
                        is_own = false;
