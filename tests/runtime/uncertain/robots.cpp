@@ -15,11 +15,15 @@
 #include <cca/sim/robot.hpp>
 #include <cca/sim/uncertain/uncertain_robot.hpp>
 
+#include "close_to.hpp"
+
 namespace laws {
 std::size_t allocations();  // in tests/laws/allocations.cpp
 }
 
 namespace {
+
+using uncertain_test::close_to;
 
 namespace arm = cca::robots::arm;
 namespace sim = cca::sim;
@@ -148,8 +152,8 @@ TEST_SUITE("uncertain: robots") {
     c.set("robot.simulator.drives.delay", "5 ms");
     // [set end]
     CHECK(c.get<"robot.simulator">().p.seed == 7);
-    CHECK(c.get<"robot.simulator">().p.angle.noise == doctest::Approx(0.0349066));
-    CHECK(c.get<"robot.simulator">().p.drives.delay == doctest::Approx(0.005));
+    CHECK(close_to(c.get<"robot.simulator">().p.angle.noise, 2 * cca::pi / 180));
+    CHECK(close_to(c.get<"robot.simulator">().p.drives.delay, 0.005));
     CHECK_THROWS_WITH_AS(c.set("robot.simulator.angle.noise", -1.0),
                          doctest::Contains("robot.simulator.angle.noise: -1 rad is out of range"),
                          cca::refused);
@@ -202,7 +206,7 @@ TEST_SUITE("uncertain: robots") {
       first.push_back(joints(at_once)[3].angle), second.push_back(joints(behind)[3].angle);
     }
     const double rest = second[0];
-    for (std::size_t k = 0; k < 20; ++k) REQUIRE(second[k] == doctest::Approx(rest).epsilon(1e-9));
+    for (std::size_t k = 0; k < 20; ++k) REQUIRE(close_to(second[k], rest, 1e-9));
     CHECK(std::abs(second[21] - rest) > 1e-6);
     for (std::size_t k = 20; k < 120; ++k) REQUIRE(std::abs(second[k] - first[k - 20]) < 1e-5);
   }
@@ -218,10 +222,10 @@ TEST_SUITE("uncertain: robots") {
       for (int k = 0; k < 2000; ++k) c.step(), ideal.step();
       return joints(c)[3].angle - joints(ideal)[3].angle;
     };
-    CHECK(go_to(0.1) == doctest::Approx(-0.01).epsilon(0.02));
-    CHECK(go_to(0.095) == doctest::Approx(-0.005).epsilon(0.02));  // within the play: it stays
-    CHECK(go_to(0.05) == doctest::Approx(0.01).epsilon(0.02));
-    CHECK(go_to(0.1) == doctest::Approx(-0.01).epsilon(0.02));
+    CHECK(close_to(go_to(0.1), -0.01, 0.02));
+    CHECK(close_to(go_to(0.095), -0.005, 0.02));  // within the play: it stays
+    CHECK(close_to(go_to(0.05), 0.01, 0.02));
+    CHECK(close_to(go_to(0.1), -0.01, 0.02));
   }
 
   TEST_CASE("a bounded speed of the position") {
@@ -234,7 +238,7 @@ TEST_SUITE("uncertain: robots") {
     const double from = joints(c)[3].angle;
     c.get<"targets">().shift = 0.3;
     for (int k = 0; k < 1000; ++k) c.step();
-    CHECK(joints(c)[3].angle - from == doctest::Approx(0.1).epsilon(0.05));
+    CHECK(close_to(joints(c)[3].angle - from, 0.1, 0.05));
   }
 
   TEST_CASE("friction that is not known: each joint its own, and beneath the bound") {
@@ -276,11 +280,11 @@ TEST_SUITE("uncertain: robots") {
     MESSAGE("at rest ", at_rest, ", least ", least, " at ", power, " W");
     CHECK(least < at_rest - 0.01);
     const double volts = 24 * least;  // what it gives: U (V - U) / R
-    CHECK(volts * (24 - volts) / 0.5 == doctest::Approx(power).epsilon(1e-6));
+    CHECK(close_to(volts * (24 - volts) / 0.5, power, 1e-6));
     // The drives feel what was left before this beat, at most 1 ms old.
     CHECK(robot.world().save().conditions[0].supply == robot.supply());
     c.get<"targets">().swing = 0;
     for (int k = 0; k < 2500; ++k) c.step();
-    CHECK(robot.supply() == doctest::Approx(at_rest).epsilon(1e-3));
+    CHECK(close_to(robot.supply(), at_rest, 1e-3));
   }
 }
