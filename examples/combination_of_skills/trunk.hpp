@@ -12,15 +12,15 @@ namespace skills {
 
 // Fulfilled while the trunk is still: its low-passed rates of turn have been small for a while.
 //
-// They are low-passed twice: each by itself, because the size of a noisy vector is never small, and then their
-// size, because that of a swaying trunk is small whenever it turns back.
+// They are low-passed twice: each by itself, because the size of a noisy vector is never small, and then
+// their size, because that of a swaying trunk is small whenever it turns back.
 //
 //   in  "angular_velocity"   trunk_angular_velocity
 //   out "status"             trunk_status: a criterion_state
 struct stillness {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
-                             (cca::error_limits<cca::velocity>, limits),  // rad/s
+                             (cca::error_limits<cca::velocity>, limits),           // rad/s
                              (cca::quantity<cca::duration, 0.001, 1>, smoothing),  // of their size
                              (cca::quantity<cca::duration, 0.001, 1>, each));      // of each rate
   };

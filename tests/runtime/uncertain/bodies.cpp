@@ -181,7 +181,7 @@ TEST_SUITE("uncertain: bodies") {
     CHECK(off > 0);
   }
 
-  TEST_CASE("a longer link reaches farther, in the engine; compiled physics refuses it") {
+  TEST_CASE("a longer link reaches farther in the engine, and compiled physics refuses it") {
     sim::robot_world_settings s;
     const sim::robot_world nominal(sim::model_of<arm::description>(), {}, s);
     for (int i = -1; i < 7; ++i) s.body.length_of(i) = 1.1;

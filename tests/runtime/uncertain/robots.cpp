@@ -118,7 +118,7 @@ TEST_SUITE("uncertain: robots") {
                     way_of(loaded<cca::controller<uncertain_arm<sim::robot_world>>>(), 300)));
   }
 
-  TEST_CASE("the same seed gives the same bits, another one others; a copy goes on; nothing allocates") {
+  TEST_CASE("the same seed gives the same bits, another one others, a copy goes on, and nothing allocates") {
     const auto once = way_of(loaded<in_compiled>(much(1)), 300);
     CHECK(same_bits(once, way_of(loaded<in_compiled>(much(1)), 300)));
     CHECK(apart(once, way_of(loaded<in_compiled>(much(2)), 300)) > 1e-5);
