@@ -26,6 +26,9 @@ struct circumstances {
   double push = 20;           // N on the trunk from the side, while the paw is at the ball
   double trot_seconds = 6.2;  // s, from the start
   double after_seconds = 6;   // s, of the trot at the end
+  // The ground, whose friction is a factor of the one that the seed has drawn; the physics.
+  cca::sim::terrain ground = cca::sim::terrain::flat().with_friction(1);
+  cca::sim::robot_world_settings physics{};
 };
 
 // How a skill ended.
@@ -77,7 +80,8 @@ public:
 
   template <class World = cca::sim::world>  // or that of another engine
   World put_down(const orders::parameters& p) const {
-    return World(cca::sim::terrain::flat().with_friction(pushes.friction), skills::put_down(p, pushes));
+    return World(c.ground.with_friction(pushes.friction * c.ground.friction()), skills::put_down(p, pushes),
+                 c.physics);
   }
   const cca::sim::disturbance& disturbance() const { return pushes; }
 

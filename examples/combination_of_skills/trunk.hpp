@@ -12,24 +12,30 @@ namespace skills {
 
 // Fulfilled while the trunk is still: its low-passed rates of turn have been small for a while.
 //
+// They are low-passed twice: each by itself, because the size of a noisy vector is never small, and then
+// their size, because that of a swaying trunk is small whenever it turns back.
+//
 //   in  "angular_velocity"   trunk_angular_velocity
 //   out "status"             trunk_status: a criterion_state
 struct stillness {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
-                             (cca::error_limits<cca::velocity>, limits),  // rad/s
-                             (cca::quantity<cca::duration, 0.001, 1>, smoothing));
+                             (cca::error_limits<cca::velocity>, limits),           // rad/s
+                             (cca::quantity<cca::duration, 0.001, 1>, smoothing),  // of their size
+                             (cca::quantity<cca::duration, 0.001, 1>, each));      // of each rate
   };
-  parameters p{{0.15, 0.15, cca::infinity, 0.1}, 0.05};
+  parameters p{{0.15, 0.15, cca::infinity, 0.1}, 0.05, 0.01};
 
   auto process(cca::in<"angular_velocity", oncilla::trunk_angular_velocity> turning, cca::beat now)
       -> cca::out<"status", trunk_status> {
-    smooth += now.dt() / p.smoothing * (turning.vector().norm() - smooth);
+    rates += std::min(1.0, now.dt() / p.each) * (turning.vector() - rates);
+    smooth += std::min(1.0, now.dt() / p.smoothing) * (rates.norm() - smooth);
     return cca::status_of(monitor.update(smooth, p.limits, now.dt()));
   }
 
 private:
-  double smooth = 0;
+  Eigen::Vector3d rates = Eigen::Vector3d::Zero();  // rad/s
+  double smooth = 0;                                // rad/s
   cca::error_monitor monitor;
 };
 

@@ -24,8 +24,9 @@ template <class Controller>
 trot::recording begin(Controller& c,
                       const cca::sim::terrain& ground,
                       const cca::sim::disturbance& disturbance,
-                      double seconds) {
-  return trot::begin(c, trot::gait().p, ground, disturbance, seconds);
+                      double seconds,
+                      const cca::sim::robot_world_settings& physics = {}) {
+  return trot::begin(c, trot::gait().p, ground, disturbance, seconds, physics);
 }
 
 template <class Controller>
@@ -41,8 +42,9 @@ trot::recording roll_out(Controller& c,
                          const cca::sim::terrain& ground,
                          const cca::sim::disturbance& disturbance,
                          double seconds,
-                         Between between) {
-  return trot::walked(c, begin(c, ground, disturbance, seconds), seconds, between);
+                         Between between,
+                         const cca::sim::robot_world_settings& physics = {}) {
+  return trot::walked(c, begin(c, ground, disturbance, seconds, physics), seconds, between);
 }
 
 template <class Controller>

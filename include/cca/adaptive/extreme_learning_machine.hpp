@@ -28,6 +28,7 @@
 #include <Eigen/Cholesky>
 
 #include <cca/base/math.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
@@ -36,16 +37,12 @@
 namespace cca {
 namespace detail {
 
-// Count numbers in [-1, 1), the same on every machine (splitmix64: Steele, Lea, Flood 2014).
+// Count numbers in [-1, 1).
 template <int Count>
-constexpr std::array<double, static_cast<std::size_t>(Count)> random_numbers(std::uint64_t seed) {
+constexpr std::array<double, static_cast<std::size_t>(Count)> drawn_weights(std::uint64_t seed) {
   std::array<double, static_cast<std::size_t>(Count)> numbers{};
-  for (double& one : numbers) {
-    std::uint64_t bits = seed += 0x9e3779b97f4a7c15ull;
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9ull;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebull;
-    one = static_cast<double>((bits ^ bits >> 31) >> 11) * 0x1p-52 - 1;
-  }
+  cca::random_numbers random(seed);
+  for (double& one : numbers) one = random.between(-1, 1);
   return numbers;
 }
 
@@ -84,7 +81,7 @@ struct elm_function {
   }
 
 private:
-  static constexpr auto random = detail::random_numbers<Hidden*(I + 1)>(Seed);
+  static constexpr auto random = detail::drawn_weights<Hidden*(I + 1)>(Seed);
 };
 
 template <class Model> concept ElmModel =

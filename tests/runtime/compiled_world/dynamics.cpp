@@ -30,7 +30,8 @@ double worst_acceleration() {
     if (R::floats) m.angular_velocity = {turning[0], turning[1], turning[2]};
     const numbers<R> torques = random_numbers<R>(random, 5);
 
-    sim::detail::tree_step<R, double> step(0);
+    const sim::detail::built_robot<R> built;
+    sim::detail::tree_step<R, double> step(0, built);
     step.begin(m, 9.81);
     auto found = step.now.forces;
     for (std::size_t c = 0; c < torques.size(); ++c)

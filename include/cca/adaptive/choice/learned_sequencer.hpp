@@ -46,6 +46,7 @@
 #include <cca/adaptive/choice/preference.hpp>
 #include <cca/adaptive/sequencer.hpp>
 #include <cca/adaptive/training.hpp>
+#include <cca/base/math/random_numbers.hpp>
 
 namespace cca {
 
@@ -134,7 +135,7 @@ struct learned_sequencer {
   void on_start() {
     steps = {};
     before = -1;
-    bits = static_cast<std::uint64_t>(p.seed);
+    random = random_numbers(static_cast<std::uint64_t>(p.seed));
   }
 
   // The learned value of going from one step to another.
@@ -146,8 +147,8 @@ private:
   }
 
   int chosen(int from, std::span<const int> ready) {
-    if (ready.size() > 1 && listens() && drawn() < p.exploration)
-      return ready[static_cast<std::size_t>(drawn() * static_cast<double>(ready.size()))];
+    if (ready.size() > 1 && listens() && random.happens(p.exploration))
+      return ready[static_cast<std::size_t>(random.uniform() * static_cast<double>(ready.size()))];
     int best = ready[0];
     for (const int one : ready)
       if (value(from, one) > value(from, best)) best = one;
@@ -173,16 +174,8 @@ private:
                    p.settings);
   }
 
-  // In [0, 1): SplitMix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-  double drawn() {
-    std::uint64_t z = bits += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
   int before = -1;  // the step before the running one; -1: none
-  std::uint64_t bits = 1;
+  random_numbers random{1};
 };
 
 }  // namespace cca

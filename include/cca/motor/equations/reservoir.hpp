@@ -19,25 +19,12 @@
 #include <cstdint>
 
 #include <cca/base/math.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca {
 
-namespace detail {
-
-// SplitMix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-inline std::uint64_t random_bits(std::uint64_t& bits) {
-  std::uint64_t z = bits += 0x9E3779B97F4A7C15u;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return z ^ (z >> 31);
-}
-// In [-1, 1), the same on every machine.
-inline double random_number(std::uint64_t& bits) {
-  return static_cast<double>(random_bits(bits) >> 11) * 0x1p-52 - 1;
-}
-
-}  // namespace detail
+namespace detail {}  // namespace detail
 
 struct reservoir_settings {
   std::uint64_t seed;
@@ -53,14 +40,14 @@ public:
   using activity = Eigen::Matrix<double, N, 1>;
 
   void make(const reservoir_settings& s) {
-    std::uint64_t bits = s.seed;
+    random_numbers random(s.seed);
     for (int i = 0; i < N; ++i) {
       for (int c = 0; c < Connections; ++c) {
-        from[at(i, c)] = static_cast<int>(detail::random_bits(bits) % N);
-        weight[at(i, c)] = detail::random_number(bits);
+        from[at(i, c)] = static_cast<int>(random.below(N));
+        weight[at(i, c)] = random.between(-1, 1);
       }
-      for (int d = 0; d < D; ++d) back(i, d) = s.feedback * detail::random_number(bits);
-      bias[i] = s.bias * detail::random_number(bits);
+      for (int d = 0; d < D; ++d) back(i, d) = s.feedback * random.between(-1, 1);
+      bias[i] = s.bias * random.between(-1, 1);
     }
     const double scale = s.spectral_radius / radius();
     for (double& w : weight) w *= scale;

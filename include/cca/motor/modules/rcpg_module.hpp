@@ -39,6 +39,7 @@
 
 #include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/recursive_least_squares.hpp>
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/motor/dmp_shapes.hpp>
 #include <cca/motor/equations/reservoir.hpp>
@@ -142,7 +143,7 @@ public:
     if (taught) {
       const output wanted = read(shown.vector()) - centre;
       if (in_a_row++ >= p.washout) teach(network.get(), wanted);
-      for (int i = 0; i < S::size; ++i) y[i] = wanted[i] + p.noise * detail::random_number(bits);
+      for (int i = 0; i < S::size; ++i) y[i] = wanted[i] + p.noise * random.between(-1, 1);
     } else {
       in_a_row = 0;
       y = read(model::answer(function, network.get()));
@@ -165,7 +166,7 @@ public:
     y.setZero();
     ode_state = {};
     in_a_row = 0;
-    bits = 1;
+    random = random_numbers(1);
   }
 
 private:
@@ -175,7 +176,7 @@ private:
   reservoir<S::size, N, Connections> network;
   ode_monitor ode_state;
   output y = output::Zero();  // what the network hears next
-  std::uint64_t bits = 1;
+  random_numbers random{1};
   int in_a_row = 0;  // demonstrations
   bool made = false;
 };

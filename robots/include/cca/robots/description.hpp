@@ -41,16 +41,17 @@ namespace cca::robots {
 
 // The drive of a joint and what acts in it besides. Units of a prismatic joint: N, N/m, N s/m, m.
 struct joint_drive {
-  motor_line motor{};      // without one the joint is passive
-  double stiffness = 0;    // N m/rad, of the servo that follows positions and velocities
-  double damping = 0;      // N m s/rad, of that servo
-  double friction = 0;     // N m s/rad
-  double spring = 0;       // N m/rad, of a spring in the joint
-  double spring_rest = 0;  // rad, where that spring is slack
-  cable_drive cable{};     // with a stiffness: the motor winds it, and acts by it alone
-  bool measured = true;    // false: a passive joint that has no port
-  bool stops = true;       // false: the limits of its angle bound targets, nothing stops the joint there
-  bool holds = false;      // true: before its first command the servo holds the joint where it is
+  motor_line motor{};       // without one the joint is passive
+  double stiffness = 0;     // N m/rad, of the servo that follows positions and velocities
+  double damping = 0;       // N m s/rad, of that servo
+  double friction = 0;      // N m s/rad
+  double spring = 0;        // N m/rad, of a spring in the joint
+  double spring_rest = 0;   // rad, where that spring is slack
+  cable_drive cable{};      // with a stiffness: the motor winds it, and acts by it alone
+  bool measured = true;     // false: a passive joint that has no port
+  bool stops = true;        // false: the limits of its angle bound targets, nothing stops the joint there
+  bool holds = false;       // true: before its first command the servo holds the joint where it is
+  double dry_friction = 0;  // N m, Coulomb's: it holds the joint up to this torque, and brakes it with it
 
   // Of what a position command pulls with.
   constexpr double position_stiffness() const { return cable.stiffness > 0 ? cable.stiffness : stiffness; }

@@ -11,6 +11,7 @@
 #include <cca/sim/compiled/probes.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 #include <cca/sim/robot/model/contact_account.hpp>
+#include <cca/sim/robot/model/drive_condition.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
 
 namespace cca::sim {
@@ -34,6 +35,7 @@ struct compiled_state {
   detail::tree_motion<Real, tree::coordinates, tree::floats> motion{};
   detail::tree_drives<R, Real> drives{};
   std::array<compiled_reading<Real>, n> joints{};
+  std::array<drive_condition, n> conditions{};
   std::array<pull_on_end<Real>, tree::described.ends.size()> pulls{};
   std::array<Real, 3> push{};
   std::array<detail::triple<Real>, detail::probes_of<R>::count>

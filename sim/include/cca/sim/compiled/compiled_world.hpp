@@ -66,9 +66,10 @@ public:
   static constexpr double beat = 1 / cca::detail::hz_of<typename R::rate>;
 
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
-      : settings_(settings), ground_(detail::ground_of(around, settings.engine)) {
+      : settings_((check(settings), settings)),
+        ground_(detail::ground_of(around, settings.engine)),
+        built_(settings.body) {
     model();  // its numbers are checked
-    check(settings);
     if (settings.steps_per_beat < 1)
       throw std::invalid_argument("cca::sim::compiled_world: a beat has at least one physics step");
     std::array<Real, n> q{};
@@ -76,7 +77,7 @@ public:
     put(q, {}, settings.mount, {}, {});
   }
 
-  explicit compiled_world(const robot_world_settings& settings) : compiled_world({}, settings) {}
+  explicit compiled_world(const robot_world_settings& s) : compiled_world({}, s) {}
   static compiled_world at_start() { return compiled_world(); }
 
   // Puts the robot there: coordinates and speeds, and the motion of a base that floats. All are finite.
@@ -118,6 +119,12 @@ public:
     ++state_.beats;
   }
 
+  // Of the drives from now on, one for each coordinate; what no drive can be in is ignored.
+  void set_condition(std::span<const drive_condition> now) {
+    take_possible(now, state_.conditions);
+    built_.take(state_.conditions);
+  }
+
   // A force and a torque at the end of a part, along the world's axes, until they are set again. What is not
   // finite is ignored.
   void pull(std::size_t part, const std::array<Real, 3>& force, const std::array<Real, 3>& torque = {}) {
@@ -130,7 +137,7 @@ public:
   }
   // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
   void push(const std::array<Real, 3>& force) { take(state_.push, force); }
-  // Pushes as the plan says, but only where it says something else than at the last call.
+  // As the plan says, where it says something else than at the last call.
   void follow(const push_plan& plan) {
     const std::array<double, 3> now = plan.force_at(time());
     if (now != state_.planned) push({Real(now[0]), Real(now[1]), Real(now[2])});
@@ -185,13 +192,13 @@ public:
     return end(index_of(model().names.ends, part, "part"));
   }
 
-  double mass() const { return tree::mass; }
+  double mass() const { return tree::mass + built_.added.mass(); }
   std::array<Real, 3> centre_of_mass() const {
-    const vector3 c = whole::centre_of_mass(state_.motion);
+    const vector3 c = whole::centre_of_mass(state_.motion, built_.added);
     return {c[0], c[1], c[2]};
   }
   // Of the robot alone, J: kinetic, and potential from the height of the world's origin.
-  Real energy() const { return whole::energy(state_.motion, settings_.engine.gravity); }
+  Real energy() const { return whole::energy(state_.motion, settings_.engine.gravity, built_.added); }
   // In springs and cables between points and in the springs of joints, J.
   Real spring_energy() const { return whole::spring_energy(state_.motion); }
   // The force of a spring or cable (in order of declaration), N; negative: it pushes.
@@ -199,8 +206,7 @@ public:
     return whole::tension(state_.motion, numbered(spring, tree::lines.size(), "spring"));
   }
 
-  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
-  // motors. Links that are held parallel stay so.
+  // Accounts since the start: of a shape, of those at the end of a part, of those on the base; of the motors.
   const contact_account& contact(std::size_t shape) const {
     return state_.contacts[numbered(shape, state_.contacts.size(), "shape of the robot")];
   }
@@ -232,7 +238,7 @@ public:
   }
 
   const state_type& save() const { return state_; }
-  void restore(const state_type& s) { state_ = s; }
+  void restore(const state_type& s) { state_ = s, built_.take(s.conditions); }
 
 private:
   void put(const std::array<Real, n>& q,
@@ -277,7 +283,7 @@ private:
   void step() {
     const double h = step_seconds();
     auto& m = state_.motion;
-    step_type now(h);
+    step_type now(h, built_);
     now.begin(m, settings_.engine.gravity);
     pull_and_push(now);
     now.solve(m, state_.drives);
@@ -328,6 +334,7 @@ private:
   robot_world_settings settings_;
   detail::ground ground_;
   state_type state_{};
+  detail::built_robot<R> built_;
 };
 
 }  // namespace cca::sim

@@ -1,5 +1,5 @@
-// What acts on one coordinate of a compiled world: the spring and the friction in the joint, its motor, the
-// cable that the motor winds, its stops.
+// What acts on one coordinate of a compiled world: the spring and the friction in the joint, viscous and dry,
+// its motor, the cable that the motor winds, its stops.
 //
 // A force depends on the change `dv` of the speed in the step: an answer is its value there, and how fast it
 // falls with dv (`slope`). Each is a few straight pieces (a servo within its limits, the line of its motor, a
@@ -192,6 +192,23 @@ constexpr answer<Real> by_stops(const Real& way_beyond, const coordinate_in_step
   const Real damping = Real(hard / c.h) * c.inertia, push = -(damping * (c.v + dv));
   const auto holds = push * way_beyond < Real(0.0);
   return {select(holds, push, Real(0.0)), select(holds, damping, Real(0.0))};
+}
+
+// Dry friction stops the joint in this step, within its torque. `last`: the side of the last round; between
+// both limits is the piece in which the joint stands.
+template <class Real>
+constexpr answer<Real> by_dry_friction(const Real& most,
+                                       const coordinate_in_step<Real>& c,
+                                       const Real& dv,
+                                       const Real& last) {
+  constexpr double hard = 1e6;
+  const Real damping = Real(hard / c.h) * c.inertia;
+  const answer<Real> stands{-(damping * (c.v + dv)), damping, Real(0.0)};
+  const answer<Real> a =
+      limited(stands, answer<Real>{-most, Real(0.0), Real(-1.0)}, {most, Real(0.0), Real(1.0)});
+  const auto skips = a.side * last < Real(0.0);
+  return {select(skips, stands.force, a.force), select(skips, stands.slope, a.slope),
+          select(skips, stands.side, a.side)};
 }
 
 // What acts on one coordinate in one step.

@@ -15,6 +15,7 @@
 #include <span>
 
 #include <cca/robots/joint_law.hpp>
+#include <cca/sim/compiled/built/built_robot.hpp>
 #include <cca/sim/compiled/limbs/limb_solution.hpp>
 #include <cca/sim/compiled/line_forces.hpp>
 #include <cca/sim/compiled/tree_motion.hpp>
@@ -62,7 +63,8 @@ public:
   vector change{};            // of the velocities, along the axes of the base
   int rounds = 0;
 
-  constexpr explicit tree_step(double step) : h(step) {}
+  // The robot stays where it is while there is the step.
+  constexpr tree_step(double step, const built_robot<R>& as_built) : h(step), built(&as_built) {}
 
   // The posture in the middle of the step: M, and the forces of motion and gravity.
   constexpr void begin(motion& m, double gravity) {
@@ -72,8 +74,10 @@ public:
     const Real half(0.5 * h);
     coordinates speeds;
     for (std::size_t c = 0; c < n; ++c) speeds[c] = m.dq[c] + half * m.change[c];
-    now.weigh(speeds, along(base, m.angular_velocity + half * m.turning_change),
-              along(base, triple<Real>{Real(0.0), Real(0.0), Real(gravity)}));
+    const triple<Real> turning = along(base, m.angular_velocity + half * m.turning_change),
+                       up = along(base, triple<Real>{Real(0.0), Real(0.0), Real(gravity)});
+    now.weigh(speeds, turning, up);
+    if (built->added.exist()) built->added.weigh(now, speeds, turning, up);
   }
 
   // Beside those of `begin`, forces may be added to `now.forces` here.
@@ -90,7 +94,9 @@ public:
         const answer<Real> motor =
             rounds == 1 ? joints[c].motor.at(guess[r]) : joints[c].motor.at(guess[r], sides[c]);
         sides[c] = motor.side;
+        const Real rubbed = taken[c].side;
         taken[c] = joints[c].at(guess[r], motor);
+        if (built->has_dry_friction) rub(c, guess[r], rounds == 1 ? Real(0.0) : rubbed);
         change[r] = change[r] + taken[c].force + taken[c].slope * guess[r];
         now.mass.diagonal(r) = now.mass.diagonal(r) + Real(h) * taken[c].slope;
       }
@@ -133,7 +139,7 @@ private:
 
   constexpr void prepare(const motion& m, tree_drives<R, Real>& drives) {
     for (std::size_t c = 0; c < n; ++c) {
-      const auto& d = R::drives[c];
+      const robots::joint_drive& d = built->drives[c];
       const robots::joint_law& law = drives.laws[c];
       joint_in_step<Real>& j = joints[c];
       j.now = {h, m.q[c], m.dq[c], now.mass.diagonal(row(c))};
@@ -152,6 +158,12 @@ private:
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i)
       lines[i] = {tree::lines[i], now.places, m.dq, [&](std::size_t c) { return joints[c].now.inertia; }, h};
+  }
+
+  constexpr void rub(std::size_t c, const Real& guess, const Real& last) {
+    const answer<Real> a = by_dry_friction(Real(built->drives[c].dry_friction), joints[c].now, guess, last);
+    taken[c] += a;
+    taken[c].side = a.side;
   }
 
   static constexpr std::size_t coordinate_of_line(std::size_t i, int k) {
@@ -191,7 +203,11 @@ private:
     };
     for (std::size_t c = 0; c < n; ++c) {
       const Real& dv = change[row(c)];
-      check(taken[c], joints[c].at(dv, joints[c].motor.at(dv)).force, dv - guess[row(c)]);
+      Real force = joints[c].at(dv, joints[c].motor.at(dv)).force;
+      if (built->has_dry_friction)
+        force =
+            force + by_dry_friction(Real(built->drives[c].dry_friction), joints[c].now, dv, Real(0.0)).force;
+      check(taken[c], force, dv - guess[row(c)]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i) {
       const Real dv = growth_of(i, change);
@@ -201,6 +217,7 @@ private:
   }
 
   double h;
+  const built_robot<R>* built;
   std::array<joint_in_step<Real>, n> joints{};
   std::array<line_in_step<R, Real>, tree::lines.size()> lines{};
   std::array<answer<Real>, n + tree::lines.size()> taken{};

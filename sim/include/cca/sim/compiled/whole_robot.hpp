@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include <cca/sim/compiled/built/added_masses.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/tree_equations.hpp>
 #include <cca/sim/engine/moving_frame.hpp>
@@ -41,7 +42,7 @@ struct whole_robot {
     return r;
   }
 
-  static constexpr triple<Real> centre_of_mass(const motion& m) {
+  static triple<Real> centre_of_mass(const motion& m, const added_masses<R>& added) {
     const auto places = at(m).only_places();
     const auto given = [](const auto& v) { return triple<Real>{Real(v[0]), Real(v[1]), Real(v[2])}; };
     triple<Real> sum = given(tree::reduced.base.first) - Real(tree::held.mass) * given(tree::held.centre);
@@ -49,14 +50,17 @@ struct whole_robot {
       const auto& of = tree::reduced.links[i].mass;
       sum = sum + Real(of.mass) * places[i].at + places[i].direction(given(of.first));
     }
+    if (added.exist()) sum = sum + added.first(places);
     const auto frame = m.frame();
-    return frame.at + frame.direction(Real(1 / tree::mass) * sum);
+    return frame.at + frame.direction(Real(1 / (tree::mass + added.mass())) * sum);
   }
 
   // Kinetic, and potential from the height of the world's origin.
-  static constexpr Real energy(const motion& m, double gravity) {
+  static Real energy(const motion& m, double gravity, const added_masses<R>& added) {
     auto now = at(m);
     now.weigh({}, {}, {});
+    if (added.exist())
+      added.weigh(now, typename tree_equations<R, Real>::coordinates{}, triple<Real>{}, triple<Real>{});
     typename links::vector v{};
     if constexpr (tree::floats) {
       const auto base = m.frame();
@@ -64,7 +68,8 @@ struct whole_robot {
       for (std::size_t k = 0; k < 3; ++k) v[k] = w[k], v[3 + k] = u[k];
     }
     for (std::size_t c = 0; c < m.dq.size(); ++c) v[links::row(static_cast<int>(c))] = m.dq[c];
-    return Real(0.5) * now.mass.form(v) + Real(gravity * tree::mass) * centre_of_mass(m)[2];
+    return Real(0.5) * now.mass.form(v) +
+           Real(gravity * (tree::mass + added.mass())) * centre_of_mass(m, added)[2];
   }
 
   static constexpr Real spring_energy(const motion& m) {

@@ -13,7 +13,9 @@
 //
 // `put_down` sets the world; without it the robot stands alone where R::start has it. `disturb` pushes the
 // base at given times; `world()` is for all else that happens to the robot: pulls, boxes that move. A copy of
-// the node is a snapshot of the world. Cost: a beat of physics (docs/robots.md); the rest is copying numbers.
+// the node is a snapshot of the world. A node that is derived from it may change the commands and the
+// readings (uncertain/uncertain_robot.hpp). Cost: a beat of physics (docs/robots.md); the rest is copying
+// numbers.
 //
 //   World   robot_world, or a type derived from it that answers more questions (cca/sim/oncilla/world.hpp); its
 //           `at_start()` says how it is put down unless a program does
@@ -52,6 +54,7 @@ class simulated_robot_of;
 
 template <class R, class World, class... Axes, class... Sensors>
 class simulated_robot_of<R, World, axes<Axes...>, robots::sensors<Sensors...>> {
+protected:
   static constexpr std::size_t count = sizeof...(Axes);
   static constexpr auto coordinates = static_cast<std::size_t>(robots::axes_of_robot<R>::count);
   static constexpr std::array<std::size_t, count> coordinate{
@@ -73,11 +76,31 @@ public:
 
   auto sense() -> std::tuple<out<Axes::label, robots::measured_joint<R, Axes>>...,
                              out<Sensors::name, robots::sensed<R, Sensors>>...> {
-    return {joint<Axes>()..., reading(std::type_identity<Sensors>())...};
+    return {joint(static_cast<std::size_t>(axes<Axes...>::template index_of<Axes>))...,
+            read_as<Sensors>(numbers_of<Sensors>())...};
   }
 
   auto act(in<Axes::label, robots::wanted_joint<R, Axes>>... wanted) -> fault {
-    const std::array<robots::joint_commands, count> commands{robots::commands_of(wanted.vector())...};
+    return drive({robots::commands_of(wanted.vector())...});
+  }
+
+  void on_start() { servos_ = {}, is_driven_ = true; }
+  void on_stop() { is_driven_ = false; }
+  void on_fault() { is_driven_ = false; }
+  // Stopped or faulted it moves under its damping. Between two runs no simulated time passes, so a result
+  // does not depend on how long they are apart.
+  void on_idle() {
+    if (is_driven_) return;
+    std::array<joint_law, coordinates> laws;
+    for (std::size_t c = 0; c < coordinates; ++c) laws[c] = {.damping = world_.model().drives[c].damping};
+    world_.follow(pushes_);
+    world_.advance(laws);
+  }
+
+protected:
+  using joint_numbers = Eigen::Vector3d;  // angle, velocity, torque
+
+  fault drive(const std::array<robots::joint_commands, count>& commands) {
     std::array<joint_law, coordinates> laws{};
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t c = coordinate[i];
@@ -93,17 +116,26 @@ public:
     return why();
   }
 
-  void on_start() { servos_ = {}, is_driven_ = true; }
-  void on_stop() { is_driven_ = false; }
-  void on_fault() { is_driven_ = false; }
-  // Stopped or faulted it moves under its damping. Between two runs no simulated time passes, so a result
-  // does not depend on how long they are apart.
-  void on_idle() {
-    if (is_driven_) return;
-    std::array<joint_law, coordinates> laws;
-    for (std::size_t c = 0; c < coordinates; ++c) laws[c] = {.damping = world_.model().drives[c].damping};
-    world_.follow(pushes_);
-    world_.advance(laws);
+  // Of the joint with this number among the measured ones.
+  joint_numbers joint(std::size_t i) const {
+    const auto& r = world_.joints()[coordinate[i]];
+    return {r.angle, r.velocity, r.torque};
+  }
+  template <class Sensor>
+  decltype(auto) numbers_of() const {
+    using all = robots::sensors<Sensors...>;
+    if constexpr (robots::is_of_feet<Sensor>) {
+      return feet<Sensor>();
+    } else if constexpr (Sensor::kind == robots::sensor_kind::load) {
+      return world_.load(robots::detail::place_among_loads<Sensor>(all()));
+    } else {
+      return robots::detail::share_of<Sensor>(world_.inertial(robots::detail::unit_of<Sensor>(all())));
+    }
+  }
+  template <class Sensor, class Numbers>
+  static out<Sensor::name, robots::sensed<R, Sensor>> read_as(const Numbers& numbers) {
+    using vector = typename robots::sensed<R, Sensor>::vector_type;
+    return vector(vector::Map(numbers.data()));
   }
 
 private:
@@ -132,31 +164,6 @@ private:
     return reasons_
         ->at(has_name ? static_cast<std::size_t>(t.body - world_trouble::base) : reasons_->size() - 1)
         .c_str();
-  }
-
-  template <class Axis>
-  Eigen::Vector3d joint() const {
-    const auto& r =
-        world_.joints()[coordinate[static_cast<std::size_t>(axes<Axes...>::template index_of<Axis>)]];
-    return {r.angle, r.velocity, r.torque};
-  }
-
-  template <class Sensor>
-  out<Sensor::name, robots::sensed<R, Sensor>> reading(std::type_identity<Sensor>) const {
-    using vector = typename robots::sensed<R, Sensor>::vector_type;
-    const auto& numbers = numbers_of<Sensor>();
-    return vector(vector::Map(numbers.data()));
-  }
-  template <class Sensor>
-  decltype(auto) numbers_of() const {
-    using all = robots::sensors<Sensors...>;
-    if constexpr (robots::is_of_feet<Sensor>) {
-      return feet<Sensor>();
-    } else if constexpr (Sensor::kind == robots::sensor_kind::load) {
-      return world_.load(robots::detail::place_among_loads<Sensor>(all()));
-    } else {
-      return robots::detail::share_of<Sensor>(world_.inertial(robots::detail::unit_of<Sensor>(all())));
-    }
   }
 
   template <class Sensor>

@@ -1,9 +1,9 @@
-// The drives of a robot in the engine, and the springs and dampers in its joints.
+// The drives of a robot in the engine, and the springs, dampers and dry friction in its joints.
 //
 // In each physics step each of them is a soft force (soft_force.hpp). Where the step is well within its
 // stable range (mobility.hpp) it is explicit: a torque. Else it is a constraint: of the engine, or, in a
-// robot with coupled joints, of their projection. So every stiffness, damping and step is stable, and what
-// was right already costs nothing.
+// robot with coupled joints, of their projection. Dry friction is always a constraint. So every stiffness,
+// damping and step is stable, and what was right already costs nothing.
 #pragma once
 
 #include <algorithm>
@@ -29,6 +29,7 @@ public:
                    double step,
                    const drives_in_engine* like)
       : model_(std::move(model)),
+        drives_(model_->drives),
         soft_(world, *model_, tree),
         moves_(like ? like->moves_ : mobility(model_)),
         motors_(model_->drives.size()),
@@ -40,12 +41,18 @@ public:
         stiff_(forces_.size(), 0),
         step_(step) {}
 
+  // From now on; one for each coordinate.
+  void set(const std::vector<drive_condition>& conditions) {
+    for (std::size_t c = 0; c < drives_.size(); ++c)
+      drives_[c] = in_condition(model_->drives[c], conditions[c]);
+  }
+
   // A beat begins: which forces are explicit in it. `lines` are the springs as they are.
   template <class Lines>
   void begin(const tree_in_engine& tree, const robot_state& state, const Lines& line_of) {
     const std::size_t n = model_->drives.size();
     for (std::size_t c = 0; c < n; ++c) {
-      const robots::joint_drive& d = model_->drives[c];
+      const robots::joint_drive& d = drives_[c];
       const joint_law& law = state.laws[c];
       const bool by_cable = d.cable.stiffness > 0 && law.stiffness > 0;
       const double motor =
@@ -80,7 +87,7 @@ public:
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
       if (!tree.leads(i)) continue;
       const auto c = static_cast<std::size_t>(model_->links[i].coordinate);
-      const robots::joint_drive& d = model_->drives[c];
+      const robots::joint_drive& d = drives_[c];
       joint_reading& r = state.joints[c];
       const soft_force motor = force_of_motor(d, state, c);
       double push = 0;
@@ -102,6 +109,8 @@ public:
         push = push - d.friction * r.velocity - d.spring * (r.angle - d.spring_rest);
         release(coupled, c, joint_force::passive);
       }
+      if (d.dry_friction > 0) hold(tree, coupled, i, joint_force::dry, dry_force(d));
+      else release(coupled, c, joint_force::dry);
       tree.push(i, push);
     }
   }
@@ -194,6 +203,7 @@ private:
   }
 
   std::shared_ptr<const robot_model> model_;
+  std::vector<robots::joint_drive> drives_;  // over the coordinates, in their condition
   soft_joints soft_;
   mobility moves_;
   std::vector<soft_force> motors_;       // over the coordinates: those that are held

@@ -38,6 +38,12 @@ inline soft_force passive_force(const robots::joint_drive& d, double q) {
   return {.pull = -d.spring * (q - d.spring_rest), .stiffness = d.spring, .damping = d.friction};
 }
 
+// The dry friction in a joint: whatever stops it in this step, within its torque.
+inline soft_force dry_force(const robots::joint_drive& d) {
+  constexpr double hard = 1e6;  // N m s/rad
+  return {.damping = hard, .low = -d.dry_friction, .high = d.dry_friction};
+}
+
 // A motor that follows a law. Its torque is what the law says and what its line leaves, whichever is less.
 // One force can stand for one of the two: the one that holds at the end of the step, as far as `mobility`
 // (speed per N m s; an upper bound) tells.

@@ -1,9 +1,10 @@
 // Soft forces on joints that a step takes at its end, as constraints of the engine.
 //
 // A soft force (soft_force.hpp) is a motor of the engine whose softness (CFM) is one divided by the force's
-// resistance: the engine finds its force together with those of joints, stops and contacts. Two for each
-// coordinate: what is in the joint, without bounds, and its motor, within bounds. One without a force costs
-// nothing in a step. In a robot with coupled joints all are part of the projection (coupled_joints.hpp).
+// resistance: the engine finds its force together with those of joints, stops and contacts. Three for each
+// coordinate: what is in the joint, without bounds, and its motor and its dry friction, within bounds. One
+// without a force costs nothing in a step. In a robot with coupled joints all are part of the projection
+// (coupled_joints.hpp).
 #pragma once
 
 #include <array>
@@ -17,8 +18,8 @@
 
 namespace cca::sim {
 
-enum class joint_force : std::size_t { passive, motor };
-inline constexpr std::size_t joint_forces = 2;
+enum class joint_force : std::size_t { passive, motor, dry };
+inline constexpr std::size_t joint_forces = 3;
 
 class soft_joints {
 public:

@@ -109,6 +109,7 @@ inline robot_model checked(robot_model m) {
     const robots::joint_drive& d = m.drives[c];
     const std::string of = "joint `" + m.joint_name(c) + "`";
     need(d.friction, d.friction >= 0, of, "the friction");
+    need(d.dry_friction, d.dry_friction >= 0, of, "the dry friction");
     need(d.spring, d.spring >= 0, of, "the spring");
     need(d.spring_rest, true, of, "the rest of the spring");
     need(d.stiffness, d.stiffness >= 0, of, "the stiffness of the servo");

@@ -12,6 +12,7 @@
 #include <cca/robots/inertial.hpp>
 #include <cca/sim/robot/model/cable_winch.hpp>
 #include <cca/sim/robot/model/contact_account.hpp>
+#include <cca/sim/robot/model/drive_condition.hpp>
 #include <cca/sim/robot/model/joint_law.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
 #include <cca/sim/robot/model/saved_body.hpp>
@@ -28,6 +29,7 @@ using robots::inertial_reading;
 struct robot_state {
   std::vector<body_state> bodies;            // the base, if it floats; the links; the balls
   std::vector<joint_law> laws;               // over the coordinates
+  std::vector<drive_condition> conditions;   // over the coordinates
   std::vector<joint_reading> joints;         // over the coordinates; torques are means over the beat
   std::vector<std::array<double, 6>> loads;  // of the force sensors: torque, then force; means over the beat
   std::vector<std::array<double, 3>> end_forces;  // N, of the contacts at the ends of the parts; means
@@ -52,8 +54,8 @@ struct robot_state {
       const auto* bytes = reinterpret_cast<const unsigned char*>(all.data());
       for (std::size_t i = 0; i < all.size() * sizeof(all[0]); ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
     };
-    add(bodies), add(laws), add(joints), add(loads), add(winches), add(inertial), add(pulls), add(pressing),
-        add(boxes), add(push), add(contacts), add(end_forces);
+    add(bodies), add(laws), add(conditions), add(joints), add(loads), add(winches), add(inertial), add(pulls),
+        add(pressing), add(boxes), add(push), add(contacts), add(end_forces);
     add(std::array{positive_work, absolute_work, parallel_error});
     add(std::array<std::int64_t, 1>{beats});
     return h;

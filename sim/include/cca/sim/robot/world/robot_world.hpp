@@ -63,6 +63,10 @@ public:
   // One beat. A law that isn't finite is ignored: the drive keeps the last one.
   void advance(std::span<const joint_law> laws);
 
+  // How the drives differ from their description from now on, one for each coordinate (drive_condition.hpp).
+  // One that no drive can be in is ignored: the drive stays as it was.
+  void set_condition(std::span<const drive_condition> now);
+
   // A force and a torque at the end of a part (in order of declaration), along the world's axes, until they
   // are set again.
   void pull(std::size_t part, const Eigen::Vector3d& force, const Eigen::Vector3d& torque = {0, 0, 0});

@@ -34,6 +34,9 @@ CCA_SIM_INLINE void robot_world::place(std::span<const double> q,
   in_->place(q, dq, base);
 }
 CCA_SIM_INLINE void robot_world::advance(std::span<const joint_law> laws) { in_->advance(laws); }
+CCA_SIM_INLINE void robot_world::set_condition(std::span<const drive_condition> now) {
+  in_->set_condition(now);
+}
 CCA_SIM_INLINE void robot_world::pull(std::size_t part,
                                       const Eigen::Vector3d& force,
                                       const Eigen::Vector3d& torque) {

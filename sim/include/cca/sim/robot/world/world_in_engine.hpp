@@ -51,9 +51,9 @@ public:
     prepare_engine();
     const engine_alarms_thrown here;
     try {
-      return std::unique_ptr<world_in_engine>(
-          new world_in_engine(std::make_shared<const robot_model>(checked(std::move(model))),
-                              std::make_shared<const scene>(checked(std::move(around))), settings, nullptr));
+      return std::unique_ptr<world_in_engine>(new world_in_engine(
+          std::make_shared<const robot_model>(varied(checked(std::move(model)), settings.body)),
+          std::make_shared<const scene>(checked(std::move(around))), settings, nullptr));
     } catch (const engine_alarm& alarm) {
       throw std::invalid_argument(
           std::string("cca::sim: the physics engine can't make a world of these numbers: ") +
@@ -92,6 +92,11 @@ public:
     if (state_.trouble) return;
     if (!engine_.guarded([&] { beat(laws); })) state_.trouble = {implausible::engine};
     ++state_.beats;
+  }
+
+  void set_condition(std::span<const drive_condition> now) {
+    take_possible(now, state_.conditions);
+    drives_.set(state_.conditions);
   }
 
   void pull(std::size_t part, const Eigen::Vector3d& force, const Eigen::Vector3d& torque) {
@@ -154,6 +159,7 @@ public:
   }
   void restore(const robot_state& s) {
     state_ = s;
+    drives_.set(state_.conditions);
     state_.bodies.clear();
     state_.boxes.clear();
     std::size_t i = 0;
@@ -181,6 +187,7 @@ private:
     touching_.set_pairs(shapes_.pairs());
     state_.pressing.assign(touching_.pair_count(), 0);
     state_.laws.assign(model_->drives.size(), {});
+    state_.conditions.assign(model_->drives.size(), {});
     state_.joints.assign(model_->drives.size(), {});
     state_.loads.assign(model_->sensors.size(), {});
     state_.winches.assign(model_->drives.size(), {});

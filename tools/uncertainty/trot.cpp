@@ -1,0 +1,54 @@
+// How much uncertainty the trot bears (sweep.hpp): bounds.hpp of the trot judges it. It goes on if it does
+// not fall, and is half as fast as that asks.
+//
+//   uncertainty_trot --config trot.toml --seeds 10 --engine compiled
+#include <string>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
+#include <cca/sim/uncertain/uncertain_robot.hpp>
+
+#include "../../examples/trot/report/bounds.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "sweep.hpp"
+
+namespace {
+
+template <class World>
+struct robot : cca::sim::robot<cca::robots::oncilla::as_built, cca::sim::uncertain<World>> {};
+template <class World>
+struct trotting : trot::architecture<robot<World>> {};
+
+template <class World>
+int run(const uncertain::options& o, const std::string& config) {
+  cca::controller<trotting<World>> start;
+  if (config.empty()) start.load();
+  else start.load(config);
+  const double commanded = start.template get<"gait">().p.duty;
+  return uncertain::sweep(o, [&](const uncertain::uncertainty& u, std::uint64_t seed) {
+    auto c = start;
+    c.template set<"robot.simulator">(u);
+    auto disturbance = cca::sim::disturbance::from_seed(seed, o.seconds);
+    const auto ground = uncertain::ground_under(u, disturbance.friction);
+    disturbance.friction = ground.friction();
+    const auto figures = trot::evaluate(
+        trot::roll_out(c, ground, disturbance, o.seconds, [] { return true; }, cca::sim::drawn_settings(u)));
+    const bool goes_on = !figures.fell && figures.cruise >= 0.5 * trot::bounds().least_cruise;
+    return uncertain::verdict{goes_on, trot::keeps(figures, commanded)};
+  });
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  uncertain::options o;
+  std::string config;
+  cca::command_line line("how much uncertainty of each kind the trot bears, on all cores");
+  o.offer(line);
+  line.text("--config FILE", config, "parameters (the defaults in the code)");
+  return cca::run_program(count, words, line, [&] {
+    return o.engine == trot::engine::compiled ? run<cca::sim::compiled_oncilla_world>(o, config)
+                                              : run<cca::sim::world>(o, config);
+  });
+}

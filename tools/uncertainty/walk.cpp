@@ -1,0 +1,55 @@
+// How much uncertainty the learned gait bears (sweep.hpp): worth.hpp of the walking policy judges it. It goes
+// on if it does not fall, and is half as fast as commanded.
+//
+//   uncertainty_walk --weights walk.policy --seeds 10 --engine compiled
+#include <string>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
+#include <cca/sim/uncertain/uncertain_robot.hpp>
+
+#include "../../examples/walking_policy/rollout.hpp"
+#include "../../examples/walking_policy/worth.hpp"
+#include "sweep.hpp"
+
+namespace {
+
+template <class World>
+struct robot : cca::sim::robot<cca::robots::oncilla::as_built, cca::sim::uncertain<World>> {};
+template <class World>
+struct walking_robot : walking::architecture<robot<World>> {};
+
+template <class World>
+int run(const uncertain::options& o, const std::string& weights) {
+  cca::controller<walking_robot<World>> start;
+  walking::name_weights(start, weights);
+  start.load();
+  const double commanded = start.template get<"gait.throttle">().p.speed;
+  return uncertain::sweep(o, [&](const uncertain::uncertainty& u, std::uint64_t seed) {
+    auto c = start;
+    c.template set<"robot.simulator">(u);
+    auto disturbance = cca::sim::disturbance::from_seed(seed, o.seconds);
+    const auto ground = uncertain::ground_under(u, disturbance.friction);
+    disturbance.friction = ground.friction();
+    const auto figures = trot::evaluate(walking::roll_out(
+        c, ground, disturbance, o.seconds, [] { return true; }, cca::sim::drawn_settings(u)));
+    const bool goes_on = !figures.fell && figures.cruise >= 0.5 * commanded;
+    return uncertain::verdict{goes_on, walking::walks(figures, commanded)};
+  });
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  uncertain::options o;
+  o.first = 1000;  // the training has not used these
+  std::string weights = "walk.policy";
+  cca::command_line line("how much uncertainty of each kind the learned gait bears, on all cores");
+  o.offer(line);
+  line.text("--weights FILE", weights, "of the policy (walk.policy)");
+  return cca::run_program(count, words, line, [&] {
+    return o.engine == trot::engine::compiled ? run<cca::sim::compiled_oncilla_world>(o, weights)
+                                              : run<cca::sim::world>(o, weights);
+  });
+}
