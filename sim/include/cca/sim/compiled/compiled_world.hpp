@@ -35,6 +35,7 @@
 #include <cca/sim/compiled/compiled_state.hpp>
 #include <cca/sim/compiled/compiled_trouble.hpp>
 #include <cca/sim/compiled/contacts/contacts.hpp>
+#include <cca/sim/compiled/given_vector.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/readings/felt_contact.hpp>
 #include <cca/sim/compiled/readings/motor_work.hpp>
@@ -59,6 +60,7 @@ class compiled_world {
   using links = detail::on_links<R, Real>;
   using whole = detail::whole_robot<R, Real>;
   using vector3 = detail::triple<Real>;
+  using given = detail::given_vector<Real>;
   static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
 
 public:
@@ -126,16 +128,16 @@ public:
 
   // A force and a torque at the end of a part, along the world's axes, until they are set again. What is not
   // finite is ignored.
-  void pull(std::size_t part, const std::array<Real, 3>& force, const std::array<Real, 3>& torque = {}) {
+  void pull(std::size_t part, const given& force, const given& torque = {}) {
     auto& kept = state_.pulls[numbered(part, state_.pulls.size(), "part")];
     take(kept.force, force);
     take(kept.torque, torque);
   }
-  void pull(std::string_view part, const std::array<Real, 3>& force, const std::array<Real, 3>& torque = {}) {
+  void pull(std::string_view part, const given& force, const given& torque = {}) {
     pull(index_of(model().names.ends, part, "part"), force, torque);
   }
   // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
-  void push(const std::array<Real, 3>& force) { take(state_.push, force); }
+  void push(const given& force) { take(state_.push, force); }
   // Pushes as the plan says, but only where it says something else than at the last call.
   void follow(const push_plan& plan) {
     const std::array<double, 3> now = plan.force_at(time());
@@ -143,8 +145,7 @@ public:
     state_.planned = now;
   }
 
-  // Puts a box of the scene elsewhere: it goes there in the next beat, at constant speed, or is there at once
-  // if that were faster than 10 m/s.
+  // A box of the scene goes there in the next beat, or is there at once (around/boxes.hpp).
   void move(std::size_t box, const placement& where) {
     numbered(box, around_.boxes.count, "box");
     if (!is_place(where)) need_place(where, "box " + std::to_string(box) + " of the scene");
@@ -326,9 +327,9 @@ private:
   }
 
   static bool finite(const Real& x) { return detail::everywhere(x - x == Real(0.0)); }
-  static void take(std::array<Real, 3>& kept, const std::array<Real, 3>& wanted) {
+  static void take(std::array<Real, 3>& kept, const given& wanted) {
     for (std::size_t k = 0; k < 3; ++k)
-      if (finite(wanted[k])) kept[k] = wanted[k];
+      if (finite(wanted.numbers[k])) kept[k] = wanted.numbers[k];
   }
 
   robot_world_settings settings_;
