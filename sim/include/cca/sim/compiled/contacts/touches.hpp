@@ -139,22 +139,28 @@ private:
     const placed_shape& shape = probes::shapes[s];
     const bool moves = probes::moves(shape);
     if (!moves && around.balls.count == 0) return;
-    const placed_frame<Real> in_base =
-        on_links<R, Real>::end_frame(step.now.places, {shape.link, shape.where});
-    placed_frame<Real> frame;
-    for (std::size_t k = 0; k < 3; ++k) frame.axes[k] = step.base.direction(in_base.axes[k]);
-    frame.at = step.base.at + step.base.direction(in_base.at);
     const auto& size = shape.form.size;
-    const bool is_box = shape.form.kind == robots::shape_kind::box;
-    const Real radius(is_box ? 0.0 : size[0]);
-    const Real long_half(shape.form.kind == robots::shape_kind::capsule ? size[1] / 2 : 0.0);
-    const triple<Real> half_way = long_half * frame.axes[2];
-    const box_form<Real> own{frame, {Real(size[0] / 2), Real(size[1] / 2), Real(size[2] / 2)}};
+    const bool is_box = shape.form.kind == robots::shape_kind::box,
+               is_sphere = shape.form.kind == robots::shape_kind::sphere;
+    const Real radius(is_box ? 0.0 : size[0]), reach(probes::reach(shape));
+    box_form<Real> own{{}, {Real(size[0] / 2), Real(size[1] / 2), Real(size[2] / 2)}};
+    placed_frame<Real>& frame = own.frame;
+    frame.at = step.base.at + step.base.direction(on_links<R, Real>::point(
+                                  step.now.places, shape.link, tree::point({shape.link, shape.where})));
+    bool is_turned = is_sphere;  // its axes are found where something is near
+    const auto turn = [&] {
+      if (is_turned) return;
+      const auto in_base = on_links<R, Real>::end_frame(step.now.places, {shape.link, shape.where});
+      for (std::size_t k = 0; k < 3; ++k) frame.axes[k] = step.base.direction(in_base.axes[k]);
+      is_turned = true;
+    };
+    const Real half_length(shape.form.kind == robots::shape_kind::capsule ? size[1] / 2 : 0.0);
     one t;
     t.of = moves ? &probes::all[probes::first[s]] : &nothing;
     for (std::size_t b = 0; moves && b < around.boxes.count; ++b) {
       const nearest_on_box<Real> n = boxes[b].nearest(boxes[b].inside(frame.at));
-      if (n.distance > Real(probes::reach(shape))) continue;
+      if (n.distance > reach) continue;
+      turn();
       t.box = static_cast<int>(b);
       const auto touches = [&](int feature, const Real& depth, const triple<Real>& at,
                                const triple<Real>& normal) {
@@ -164,21 +170,24 @@ private:
       };
       if (is_box) box_on_box<Real>(boxes[b], own).touch(touches);
       else if (shape.form.kind == robots::shape_kind::capsule)
-        boxes[b].touch_capsule(frame.at - half_way, frame.at + half_way, radius, touches);
+        boxes[b].touch_capsule(frame.at - half_length * frame.axes[2], frame.at + half_length * frame.axes[2],
+                               radius, touches);
       else boxes[b].touch_sphere(frame.at, radius, touches);
     }
     t.box = one::none;
     for (std::size_t i = 0; i < around.balls.count; ++i) {
       const triple<Real>& at = now.balls[i].at;
-      const Real of_ball(around.balls.all[i].radius);
+      const Real of_ball(around.balls.all[i].radius), far_off = reach + of_ball;
+      const triple<Real> off = at - frame.at;
+      if (dot(off, off) > far_off * far_off) continue;
+      turn();
       triple<Real> out;  // from the shape to the ball
       Real apart{};
       if (is_box) {
         const nearest_on_box<Real> n = own.nearest(own.inside(at));
         out = frame.direction(n.normal), apart = n.distance;
       } else {
-        const triple<Real> off = at - frame.at;
-        const Real way = between(-long_half, dot(off, frame.axes[2]), long_half);
+        const Real way = between(-half_length, dot(off, frame.axes[2]), half_length);
         const triple<Real> line = off - way * frame.axes[2];
         const Real far = root(dot(line, line));
         if (!(far > Real(0.0))) continue;
