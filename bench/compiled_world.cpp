@@ -1,10 +1,12 @@
 // A beat of physics of the described Oncilla, compiled from its description, and in the Open Dynamics Engine.
 //
-//   compiled_world compiled|engine flying|standing|treading BEATS
+//   compiled_world compiled|engine flying|standing|treading|table|balls BEATS
 //
 //   flying    nothing is below it; hips and knees follow sines of 4 Hz
 //   standing  on a floor, at rest
 //   treading  the same sines on the floor: feet land and leave
+//   table     the same on a box, with three more of them near
+//   balls     as treading, with four balls beside it on the floor
 //
 // Cables, springs and stops are as described. Instructions of a beat are the difference of two runs under
 // valgrind --tool=callgrind; docs/physics.md has them.
@@ -49,13 +51,26 @@ int run(World world, int beats, bool moves) {
 
 int main(int argc, char** argv) {
   const std::string_view world = argc > 1 ? argv[1] : "", what = argc > 2 ? argv[2] : "";
-  const bool flies = what == "flying", stands = what == "standing";
-  if (argc != 4 || !(flies || stands || what == "treading") || !(world == "compiled" || world == "engine")) {
-    std::fprintf(stderr, "usage: compiled_world compiled|engine flying|standing|treading BEATS\n");
+  const bool flies = what == "flying", stands = what == "standing", on_table = what == "table",
+             has_balls = what == "balls";
+  const bool is_right = (flies || stands || what == "treading" || on_table || has_balls) &&
+                        (world == "compiled" || world == "engine");
+  if (argc != 4 || !is_right) {
+    std::fprintf(stderr,
+                 "usage: compiled_world compiled|engine flying|standing|treading|table|balls BEATS\n");
     return 2;
   }
+  constexpr double floor = -0.19;
   bench::sim::scene around;
-  if (!flies) around.floor = -0.19;
+  if (on_table) {
+    around.add(bench::sim::fixed_box{{4, 4, 0.1}, cca::at(0, 0, floor - 0.05)});
+    for (const double y : {-0.5, 0.5, 1.0})
+      around.add(bench::sim::fixed_box{{4, 0.1, 0.4}, cca::at(0, y, 0)});
+  } else if (!flies) {
+    around.floor = floor;
+  }
+  for (int i = 0; has_balls && i < 4; ++i)
+    around.add(bench::sim::ball{.radius = 0.05, .mass = 0.1, .position = {0.2 * i, 1, floor + 0.05}});
   const int beats = std::atoi(argv[3]);
   if (world == "compiled")
     return bench::run(bench::sim::compiled_world<bench::walking>(around), beats, !stands);

@@ -16,6 +16,8 @@ struct with_canopen : architecture<on_canopen::robot<hw::virtual_bus_end>> {};
 struct with_moteus : architecture<on_moteus::robot<hw::virtual_bus_end>> {};
 // [on drives end]
 
+using arm_world = cca::sim::robot_world;
+
 // Where the arm is: the simulator moves it, after virtual drives on buses in memory. It has brakes.
 template <class Robot>
 struct on_virtual_drives {

@@ -36,13 +36,9 @@ public:
   referee(std::uint64_t seed, double tank) : held(tank) { r.seed = seed; }
 
   // After a beat in which the arm went from `before` to `after`.
-  template <class Controller>
-  void note(const Controller& c,
-            const arm_world& world,
-            const scene& s,
-            int step,
-            double in_step,
-            bool is_stopped) {
+  template <class Controller, class World>
+  void note(
+      const Controller& c, const World& world, const scene& s, int step, double in_step, bool is_stopped) {
     note_energy(world);
     r.max_force = std::max(r.max_force, force_on_tool(world).norm());
     const Eigen::Vector3d at = world.end(0).where.at;
@@ -87,13 +83,15 @@ private:
     path += (at - wanted).squaredNorm();
     path_count += 1;
   }
-  void note_force(const arm_world& world, const scene& s, int step, double in_step) {
+  template <class World>
+  void note_force(const World& world, const scene& s, int step, double in_step) {
     const double off = force_on_tool(world).dot(s.normal(step == plan::at<"wipe"> ? in_step : 10)) - 10;
     force += off * off;
     force_count += 1;
     if (step == plan::at<"wipe on"> && in_step > 1) late_force += off * off, late_count += 1;
   }
-  void note_energy(const arm_world& world) {
+  template <class World>
+  void note_energy(const World& world) {
     vector q, torque;
     for (int i = 0; i < q.size(); ++i) {
       q[i] = world.joints()[static_cast<std::size_t>(i)].angle;

@@ -2,6 +2,7 @@
 // One run of the demonstrator in the simulator.
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <cca/sim/robot.hpp>
@@ -15,14 +16,14 @@ namespace touch {
 
 struct simulated : architecture<cca::sim::robot<arm::description>> {};
 
-// Where the arm is: in the simulator, as a node of the controller.
+// Where the arm is: in the simulator of either engine, as a node of the controller.
 struct in_simulator {
-  template <class Controller>
-  static void put_down(Controller& c, arm_world&& world) {
-    c.template get<"robot.simulator">().put_down(std::move(world));
+  template <class Controller, class World>
+  static void put_down(Controller& c, World&& world) {
+    c.template get<"robot.simulator">().put_down(std::forward<World>(world));
   }
   template <class Controller>
-  static arm_world& world(Controller& c) {
+  static auto& world(Controller& c) {
     return c.template get<"robot.simulator">().world();
   }
   template <class Controller>
@@ -34,7 +35,10 @@ class course {
 public:
   explicit course(std::uint64_t seed) : around(seed) {}
 
-  void before_beat(arm_world& world) { around.act(world, step, in_step()); }
+  template <class World>
+  void before_beat(World& world) {
+    around.act(world, step, in_step());
+  }
   // Learns, where the plan says so.
   template <class Controller>
   void after_beat(Controller& c) {
@@ -59,7 +63,8 @@ private:
 template <class Controller, class Between, class Place = in_simulator>
 result roll_out(Controller& c, std::uint64_t seed, Between between, Place&& place = {}) {
   course run(seed);
-  place.put_down(c, arm_world(cca::sim::model_of<arm::description>(), scene::room()));
+  using world_type = std::remove_cvref_t<decltype(place.world(c))>;
+  place.put_down(c, scene::arm_in_room<world_type>());
   auto orders = c.template get<"orders">().p;
   orders.shift = run.around.shift;
   c.template set<"orders">(orders);
@@ -67,7 +72,7 @@ result roll_out(Controller& c, std::uint64_t seed, Between between, Place&& plac
   c.start();
   constexpr int most_beats = 90'000, stopped_for = 2000;
   for (int k = 0, stopped = 0; k < most_beats && stopped < stopped_for; ++k) {
-    arm_world& world = place.world(c);
+    world_type& world = place.world(c);
     run.before_beat(world);
     c.step();
     place.after_beat(c);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -15,10 +16,9 @@
 
 namespace touch {
 
-using arm_world = cca::sim::robot_world;
-
 // Of the world on the tool, along the axes of the world, N: the mean of the last beat.
-inline Eigen::Vector3d force_on_tool(const arm_world& world) {
+template <class World>
+Eigen::Vector3d force_on_tool(const World& world) {
   const auto& felt = world.load(0);
   return world.end(0).where.turn * Eigen::Vector3d(felt[3], felt[4], felt[5]);
 }
@@ -55,8 +55,16 @@ public:
     return room;
   }
 
+  // The arm in that room, in either engine.
+  template <class World>
+  static World arm_in_room() {
+    if constexpr (std::is_constructible_v<World, const cca::sim::scene&>) return World(room());
+    else return World(cca::sim::model_of<arm::description>(), room());
+  }
+
   // Before a beat; `in_step`: s since the step began.
-  void act(arm_world& world, int step, double in_step) {
+  template <class World>
+  void act(World& world, int step, double in_step) {
     if (step == plan::at<"guided">) lead(world, in_step);
     else if (step == plan::at<"wipe">) {
       const double share = smooth((in_step - 2) / 0.6);
@@ -92,12 +100,14 @@ private:
                 cca::at(0, 0, -0.02)};
   }
 
-  void pull(arm_world& world, const Eigen::Vector3d& force, const Eigen::Vector3d& torque = {0, 0, 0}) {
+  template <class World>
+  void pull(World& world, const Eigen::Vector3d& force, const Eigen::Vector3d& torque = {0, 0, 0}) {
     world.pull(0, force + another, torque);
   }
 
   // A hand that holds the flange by a spring and goes the way that it wants to show.
-  void lead(arm_world& world, double time) {
+  template <class World>
+  void lead(World& world, double time) {
     const auto now = world.end(0);
     if (time <= 0.001) begin = now.where.at, upright = now.where.turn;
     if (time > guided_for + 1.5) return pull(world, {0, 0, 0});

@@ -2,98 +2,19 @@
 // when somebody pushes it: with many seeds, on all cores, in the simulator.
 //
 //   touch --count 20 --summary summary.json
-#include <algorithm>
-#include <cstdint>
-#include <cstdio>
-#include <memory>
-#include <optional>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include <cca/cca.hpp>
-#include <cca/config.hpp>
-#include <cca/graph/items/shows.hpp>
-#include <cca/main/descriptions.hpp>
-#include <cca/main/run_program.hpp>
-#include <cca/main/end_of_run.hpp>
-#include <cca/runtime/interruption.hpp>
-
-#include "../deployed/observing.hpp"
-#include "../trot/report/file.hpp"
-#include "../trot/report/finished_runs.hpp"
-#include "rollout.hpp"
-#include "summary.hpp"
+//
+// program.hpp says what it does around the runs; engines/ has the same program with the arm in compiled
+// physics.
+#include "engines/compiled.hpp"
+#include "program.hpp"
 
 namespace {
 
-struct observable : touch::simulated,
-                    cca::recordable,
-                    cca::traceable,
-                    cca::shows<cca::robots::arm::body, "robot.angles"> {};
-using controller = cca::controller<observable>;
-
-struct options {
-  std::uint64_t first = 0, count = 1;
-  std::optional<std::string> config, shape, summary, csv;
-  deployed::observing files;
-
-  void offer(cca::command_line& line) {
-    line.whole_number("--first N", first, 0, "the first seed (0)");
-    line.whole_number("--count N", count, 1, "how many (1)");
-    line.text("--config FILE", config, "parameters (the defaults in the code)");
-    line.text("--shape FILE", shape, "keeps what the first run has learned");
-    line.text("--summary FILE", summary, "the figures as JSON: a list of runs");
-    deployed::offer_observing<controller>(line, files, "of the first run");
-    line.text("--csv FILE", csv, "hand, force and step of the first run, every 10 ms");
-    cca::offer_descriptions<controller>(line, [this](controller& c) {
-      if (config) cca::read_parameters(c, *config);
-    });
-  }
-};
-
-int run(const options& o) {
-  controller start;
-  if (o.config) start.load(*o.config);
-  else start.load();
-
-  std::string seen;
-  std::vector<std::string> limited;     // in the first run
-  const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
-  std::ostringstream moments;           // of the first run
-  const std::vector<touch::result> runs =
-      trot::finished_runs("touch", o.count, interrupted, [&](std::size_t i) {
-        const auto c = std::make_unique<controller>(start);
-        cca::observed_run look(*c, i == 0 ? o.files : deployed::observing(), "touch", true);
-        const touch::result r = touch::roll_out(*c, o.first + i, [&](const controller& now, int step) {
-          if (i == 0 && o.csv && now.beat_index() % 10 == 0) touch::write_moment(moments, now, step);
-          return !interrupted;
-        });
-        if (const std::string text = deployed::end(look); !text.empty()) seen = text;  // of one run
-        if (i == 0) limited = cca::summaries_of(*c);
-        const auto& module = c->get<"repeat.module">();
-        if (i == 0 && o.shape && !interrupted) module.learning.save(*o.shape, module.constants());
-        return r;
-      });
-
-  touch::write_heading();
-  for (const touch::result& r : runs) touch::write_row(r);
-  const auto good = std::count_if(runs.begin(), runs.end(), [](const auto& r) { return touch::within(r); });
-  std::printf("%d of %d runs are within all bounds\n", static_cast<int>(good), static_cast<int>(runs.size()));
-  for (const std::string& line : limited) std::printf("first run: %s\n", line.c_str());
-  std::fputs(seen.c_str(), stdout);
-  if (o.csv)
-    trot::write(*o.csv, [&](std::ostream& file) { file << touch::moment_columns << '\n' << moments.str(); });
-  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { touch::write_json(file, runs); });
-  if (interrupted) return interrupted.exit_code();
-  return good == static_cast<std::ptrdiff_t>(runs.size()) ? 0 : 1;
-}
+struct simulated_touch : touch::observable<touch::simulated> {};
 
 }  // namespace
 
 int main(int count, char** words) {
-  options o;
-  cca::command_line line("an arm learns a movement by hand, wipes a table by touch, and yields to a push");
-  o.offer(line);
-  return cca::run_program(count, words, line, [&] { return run(o); });
+  if (trot::engine_in(count, words) == trot::engine::compiled) return touch::compiled_main(count, words);
+  return touch::main_of<simulated_touch>(count, words);
 }

@@ -37,6 +37,7 @@ struct dual {
   friend constexpr dual select(bool condition, const dual& yes, const dual& no) {
     return condition ? yes : no;
   }
+  friend constexpr double plain(const dual& x) { return x.value; }
   friend dual root(const dual& x) {
     const double r = std::sqrt(x.value);
     return {r, x.slope / (2 * r)};

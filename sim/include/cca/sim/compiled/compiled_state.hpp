@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/sim/compiled/around/surroundings.hpp>
+#include <cca/sim/compiled/contacts/contacts.hpp>
 #include <cca/sim/compiled/inertial_places.hpp>
 #include <cca/sim/compiled/probes.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
@@ -38,8 +40,8 @@ struct compiled_state {
   std::array<drive_condition, n> conditions{};
   std::array<pull_on_end<Real>, tree::described.ends.size()> pulls{};
   std::array<Real, 3> push{};
-  std::array<detail::triple<Real>, detail::probes_of<R>::count>
-      impulses{};  // N s, of the last step's contacts
+  detail::kept_impulses<Real> impulses{};  // of the last step's contacts
+  detail::motion_around<Real> around{};    // boxes and balls
   std::array<std::array<Real, 6>, detail::load_parts<R>.size()> loads{};
   std::array<std::array<Real, 3>, tree::described.ends.size()> end_forces{};
   std::array<robots::inertial_reading, detail::inertial_places<R>.size()> inertial{};

@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,14 +34,16 @@
 #include <cca/sim/compiled/compiled_mistakes.hpp>
 #include <cca/sim/compiled/compiled_state.hpp>
 #include <cca/sim/compiled/compiled_trouble.hpp>
-#include <cca/sim/compiled/contacts.hpp>
+#include <cca/sim/compiled/contacts/contacts.hpp>
+#include <cca/sim/compiled/given_vector.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/readings/felt_contact.hpp>
 #include <cca/sim/compiled/readings/motor_work.hpp>
+#include <cca/sim/compiled/readings/outer_forces.hpp>
+#include <cca/sim/compiled/readings/units.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 #include <cca/sim/compiled/whole_robot.hpp>
 #include <cca/sim/robot/model/checked_settings.hpp>
-#include <cca/sim/robot/model/ideal_inertial_unit.hpp>
 #include <cca/sim/robot/model/joint_law.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
 #include <cca/sim/robot/model/push.hpp>
@@ -59,6 +60,7 @@ class compiled_world {
   using links = detail::on_links<R, Real>;
   using whole = detail::whole_robot<R, Real>;
   using vector3 = detail::triple<Real>;
+  using given = detail::given_vector<Real>;
   static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
 
 public:
@@ -67,11 +69,16 @@ public:
 
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
       : settings_((check(settings), settings)),
-        ground_(detail::ground_of(around, settings.engine)),
+        around_(detail::surroundings_of(around, settings.engine)),
         built_(settings.body) {
+    if (detail::probes_of<R>::shape_count == 0 && !around.balls.empty())
+      throw std::invalid_argument(
+          "cca::sim::compiled_world: the robot has no shapes, so nothing of it touches the balls of the "
+          "scene; leave them out, or use cca::sim::robot_world");
     model();  // its numbers are checked
     if (settings.steps_per_beat < 1)
       throw std::invalid_argument("cca::sim::compiled_world: a beat has at least one physics step");
+    state_.around.begin(around);
     std::array<Real, n> q{};
     if constexpr (requires { R::start.size(); }) std::copy(R::start.begin(), R::start.end(), q.begin());
     put(q, {}, settings.mount, {}, {});
@@ -108,14 +115,15 @@ public:
       state_.joints[c].torque = Real(0.0);
     }
     state_.loads = {}, state_.end_forces = {};
-    for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step();
+    for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step((i + 0.5) * step_seconds());
     if (const world_trouble found = state_.trouble) {
       state_ = before, state_.trouble = found;
       return;
     }
     for (std::size_t c = 0; c < n; ++c)
       state_.joints[c].angle = state_.motion.q[c], state_.joints[c].velocity = state_.motion.dq[c];
-    read_units(true);
+    detail::read_units<R>(state_, true, beat, settings_.engine.gravity);
+    if (around_.boxes.count > 0) state_.around.end_beat(around_, beat);
     ++state_.beats;
   }
 
@@ -127,21 +135,28 @@ public:
 
   // A force and a torque at the end of a part, along the world's axes, until they are set again. What is not
   // finite is ignored.
-  void pull(std::size_t part, const std::array<Real, 3>& force, const std::array<Real, 3>& torque = {}) {
+  void pull(std::size_t part, const given& force, const given& torque = {}) {
     auto& kept = state_.pulls[numbered(part, state_.pulls.size(), "part")];
     take(kept.force, force);
     take(kept.torque, torque);
   }
-  void pull(std::string_view part, const std::array<Real, 3>& force, const std::array<Real, 3>& torque = {}) {
+  void pull(std::string_view part, const given& force, const given& torque = {}) {
     pull(index_of(model().names.ends, part, "part"), force, torque);
   }
   // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
-  void push(const std::array<Real, 3>& force) { take(state_.push, force); }
+  void push(const given& force) { take(state_.push, force); }
   // As the plan says, where it says something else than at the last call.
   void follow(const push_plan& plan) {
     const std::array<double, 3> now = plan.force_at(time());
     if (now != state_.planned) push({Real(now[0]), Real(now[1]), Real(now[2])});
     state_.planned = now;
+  }
+
+  // A box of the scene goes there in the next beat, or is there at once (around/boxes.hpp).
+  void move(std::size_t box, const placement& where) {
+    numbered(box, around_.boxes.count, "box");
+    if (!is_place(where)) need_place(where, "box " + std::to_string(box) + " of the scene");
+    state_.around.boxes[box].move(where, around_.boxes.half[box], beat);
   }
 
   const std::array<compiled_reading<Real>, n>& joints() const { return state_.joints; }
@@ -192,6 +207,17 @@ public:
     return end(index_of(model().names.ends, part, "part"));
   }
 
+  Eigen::Vector3d ball_position(std::size_t i) const
+    requires std::is_same_v<Real, double>
+  {
+    return whole::vector_of(ball(i).at);
+  }
+  Eigen::Vector3d ball_velocity(std::size_t i) const
+    requires std::is_same_v<Real, double>
+  {
+    return whole::vector_of(ball(i).velocity);
+  }
+
   double mass() const { return tree::mass + built_.added.mass(); }
   std::array<Real, 3> centre_of_mass() const {
     const vector3 c = whole::centre_of_mass(state_.motion, built_.added);
@@ -226,7 +252,7 @@ public:
   double time() const { return static_cast<double>(state_.beats) * beat; }
 
   // Of the floor or the terrain at x; m. Without both it is minus infinity.
-  double ground_height(double x) const { return detail::height_of(ground_, x); }
+  double ground_height(double x) const { return detail::height_of(around_.under, x); }
 
   const world_trouble& trouble() const { return state_.trouble; }
   std::string trouble_text() const { return text_of(state_.trouble, model()); }
@@ -255,84 +281,65 @@ private:
     state_.impulses = {};
     auto& m = state_.motion;
     m = {}, m.q = q, m.dq = dq, m.angular_velocity = angular_velocity, m.velocity = velocity;
-    double square = 0;
-    for (const double x : base.rotation) square += x * x;
-    for (std::size_t k = 0; k < 4; ++k) m.attitude.q[k] = Real(base.rotation[k] / std::sqrt(square));
+    m.attitude = m.attitude.of(base.rotation);
     for (std::size_t k = 0; k < 3; ++k) m.at[k] = Real(base.translation[k]);
     for (std::size_t c = 0; c < n; ++c) {
       state_.joints[c] = {q[c], dq[c], {}};
       state_.drives.pulleys[c] = {q[c], {}, {}, {}};
     }
-    read_units(false);
+    detail::read_units<R>(state_, false, beat, settings_.engine.gravity);
     state_.trouble = detail::look_at_motion<R, Real>::at_bodies(m, settings_.plausible, step_seconds());
+  }
+  const detail::ball_motion<Real>& ball(std::size_t i) const {
+    return state_.around.balls[numbered(i, around_.balls.count, "ball")];
   }
   double step_seconds() const { return beat / settings_.steps_per_beat; }
 
-  // Of a scalar that is no double there are no readings.
-  void read_units(bool after_beat) {
-    if constexpr (std::is_same_v<Real, double>)
-      for (std::size_t i = 0; i < state_.inertial.size(); ++i) {
-        const moving_frame now = whole::frame_of(state_.motion, detail::inertial_places<R>[i]);
-        const Eigen::Vector3d before = cca::detail::as_vector(state_.unit_speeds[i]);
-        state_.inertial[i] =
-            inertial_reading_of(now, after_beat ? before : now.velocity, beat, settings_.engine.gravity);
-        state_.unit_speeds[i] = {now.velocity[0], now.velocity[1], now.velocity[2]};
-      }
-  }
-
-  void step() {
+  // `after`: of the beat's begin, in the middle of the step, s.
+  void step(double after) {
     const double h = step_seconds();
     auto& m = state_.motion;
     step_type now(h, built_);
     now.begin(m, settings_.engine.gravity);
-    pull_and_push(now);
+    detail::pull_and_push<R>(state_, now);
     now.solve(m, state_.drives);
-    if constexpr (detail::probes_of<R>::count > 0) {
-      if (ground_.exists) touch(now, h);
-      else now.end(m, state_.drives, now.change);
-    } else {
-      now.end(m, state_.drives, now.change);
+    bool touches = false;
+    if constexpr (detail::probes_of<R>::shape_count > 0) {
+      touches = around_.more() || (detail::probes_of<R>::count > 0 && around_.under.exists);
+      if (touches) touch(now, h, after);
     }
+    if (!touches) now.end(m, state_.drives, now.change);
     detail::account_motors<R>(state_, h, Real(h / beat));
     state_.trouble = detail::trouble_of<R>(m, settings_.plausible, h);
+    if constexpr (detail::probes_of<R>::shape_count > 0)
+      if (around_.balls.count > 0 && !state_.trouble)
+        state_.trouble = state_.around.trouble(around_, settings_.plausible, h);
   }
 
-  void touch(step_type& now, double h) {
+  void touch(step_type& now, double h, double after) {
     detail::contacts_in_step<R, Real> contacts;
     const auto without = now.change;
-    contacts.solve(now, state_.motion, ground_, state_.impulses, h);
+    if (!around_.more()) contacts.solve(now, state_.motion, around_, state_.impulses, h);
+    else
+      contacts.solve_with_more(now, state_.motion, around_, state_.around, state_.impulses, h, after,
+                               settings_.engine.gravity);
     now.end(state_.motion, state_.drives, detail::lasting(without, now.change));
     for (contact_account& a : state_.contacts) a.begin_step();
     contacts.each(h, [&](const auto& c) {
+      if (c.shape < 0) return;
       detail::feel<R>(now, c, Real(h / beat), state_);
-      detail::add_to(state_.contacts[detail::probes_of<R>::shape_of(c.probe)], c, h);
+      detail::add_to(state_.contacts[static_cast<std::size_t>(c.shape)], c, h);
     });
-  }
-  void pull_and_push(step_type& now) const {
-    const auto given = [&](const std::array<Real, 3>& v) {
-      return detail::along(now.base, vector3{v[0], v[1], v[2]});
-    };
-    for (std::size_t part = 0; part < state_.pulls.size(); ++part) {
-      const auto& e = tree::described.ends[part];
-      const auto& [force, torque] = state_.pulls[part];
-      if (detail::is_none(force) && detail::is_none(torque)) continue;
-      const vector3 at = links::point(now.now.places, e.link, tree::point({e.link, e.where}));
-      links::add_wrench(now.now.places, e.link, at, given(force), given(torque), now.now.forces);
-    }
-    constexpr auto c = cca::detail::base_inertia_of<typename R::body>().centre;
-    if (tree::floats && !detail::is_none(state_.push))
-      links::add_wrench(now.now.places, -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state_.push), {},
-                        now.now.forces);
   }
 
   static bool finite(const Real& x) { return detail::everywhere(x - x == Real(0.0)); }
-  static void take(std::array<Real, 3>& kept, const std::array<Real, 3>& wanted) {
+  static void take(std::array<Real, 3>& kept, const given& wanted) {
     for (std::size_t k = 0; k < 3; ++k)
-      if (finite(wanted[k])) kept[k] = wanted[k];
+      if (finite(wanted.numbers[k])) kept[k] = wanted.numbers[k];
   }
 
   robot_world_settings settings_;
-  detail::ground ground_;
+  detail::surroundings around_;
   state_type state_{};
   detail::built_robot<R> built_;
 };

@@ -1,5 +1,5 @@
 // The points with which a described robot touches the ground in a compiled world: a sphere is one with a
-// radius, a capsule two, a box its eight corners.
+// radius, a capsule two, a box its eight corners. Boxes and balls touch the shapes as they are (touches.hpp).
 #pragma once
 
 #include <array>
@@ -89,8 +89,17 @@ struct probes_of {
     }
     return found;
   }();
-  static constexpr std::size_t shape_of(std::size_t probe) {
-    return static_cast<std::size_t>(all[probe].shape);
+  // Of each shape that moves: its first probe.
+  static constexpr auto first = [] {
+    std::array<std::size_t, shape_count> found{};
+    for (std::size_t i = count; i-- > 0;) found[static_cast<std::size_t>(all[i].shape)] = i;
+    return found;
+  }();
+  // The radius of a sphere about the middle of a shape that holds it.
+  static constexpr double reach(const placed_shape& s) {
+    const auto& size = s.form.size;
+    if (s.form.kind == robots::shape_kind::box) return (size[0] + size[1] + size[2]) / 2;
+    return size[0] + (s.form.kind == robots::shape_kind::capsule ? size[1] / 2 : 0);
   }
   // The longest branch that moves a probe, in rows.
   static constexpr std::size_t longest = [] {

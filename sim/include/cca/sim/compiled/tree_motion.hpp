@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/mapping/placement.hpp>
 #include <cca/robot/recorded/placed_ends.hpp>
 
@@ -31,6 +32,14 @@ template <class Real>
 struct attitude_of_base {
   std::array<Real, 4> q{Real(0.0), Real(0.0), Real(0.0), Real(1.0)};
 
+  // Of a rotation of any length above 0.
+  static attitude_of_base of(const std::array<double, 4>& rotation) {
+    double square = 0;
+    for (const double x : rotation) square += x * x;
+    attitude_of_base a;
+    for (std::size_t k = 0; k < 4; ++k) a.q[k] = Real(rotation[k] / math::sqrt(square));
+    return a;
+  }
   constexpr placed_frame<Real> frame(const triple<Real>& at) const {
     const Real two(2.0);
     const auto& [x, y, z, w] = q;

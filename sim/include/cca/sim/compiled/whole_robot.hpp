@@ -23,6 +23,8 @@ struct whole_robot {
     return now;
   }
 
+  static Eigen::Vector3d vector_of(const triple<Real>& v) { return {v[0], v[1], v[2]}; }
+
   // Of a place on a link, in the world.
   static moving_frame frame_of(const motion& m, const place_on_link& p) {
     const auto base = m.frame();
@@ -31,13 +33,10 @@ struct whole_robot {
     const auto f = links::end_frame(places, p);
     const auto t =
         links::motion(places, p.link, f.at, {along(base, m.angular_velocity), along(base, m.velocity)}, m.dq);
-    const auto given = [&](const triple<Real>& v) {
-      const triple<Real> w = base.direction(v);
-      return Eigen::Vector3d(w[0], w[1], w[2]);
-    };
+    const auto given = [&](const triple<Real>& v) { return vector_of(base.direction(v)); };
     moving_frame r;
     for (Eigen::Index k = 0; k < 3; ++k) r.where.turn.col(k) = given(f.axes[static_cast<std::size_t>(k)]);
-    r.where.at = given(f.at) + Eigen::Vector3d(base.at[0], base.at[1], base.at[2]);
+    r.where.at = given(f.at) + vector_of(base.at);
     r.angular_velocity = given(t.turning), r.velocity = given(t.velocity);
     return r;
   }

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include <cca/sim/compiled/compiled_state.hpp>
-#include <cca/sim/compiled/contacts.hpp>
+#include <cca/sim/compiled/contacts/contacts.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 
@@ -24,7 +24,7 @@ void feel(const tree_step<R, Real>& now,
           const Real& share,
           compiled_state<R, Real>& state) {
   using tree = compiled_tree<R>;
-  const placed_shape& s = probes_of<R>::shapes[probes_of<R>::shape_of(c.probe)];
+  const placed_shape& s = probes_of<R>::shapes[static_cast<std::size_t>(c.shape)];
   if (s.end < 0) return;
   auto& force = state.end_forces[static_cast<std::size_t>(s.end)];
   for (std::size_t k = 0; k < 3; ++k) force[k] = force[k] + share * c.force[k];

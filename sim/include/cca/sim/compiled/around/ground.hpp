@@ -28,10 +28,6 @@ struct ground {
 // Throws std::invalid_argument for what no world can have, and for what this one has not.
 inline ground ground_of(const scene& around, const engine_settings& settings) {
   const scene s = checked(around);
-  if (!s.boxes.empty() || !s.balls.empty())
-    throw std::invalid_argument(
-        "cca::sim::compiled_world: there are no boxes and no balls in it yet, only a floor or "
-        "a terrain; cca::sim::robot_world has them");
   if (s.floor && s.ground)
     throw std::invalid_argument(
         "cca::sim::compiled_world: the scene has a floor and a terrain; give one of them, or "

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 
+#include <cca/sim/compiled/contacts/slots.hpp>
 #include <cca/sim/compiled/scalar.hpp>
 
 namespace cca::sim::detail {
@@ -90,7 +91,7 @@ using contact_block = std::array<Real, 9>;
 
 // `meeting[k][j]`: of contact k for contact j.
 template <class Real, std::size_t Most>
-constexpr void solve_contacts(std::array<contact_law<Real>, Most>& all,
+constexpr void solve_contacts(slots<contact_law<Real>, Most>& all,
                               std::size_t count,
                               const std::array<std::array<contact_block<Real>, Most>, Most>& meeting) {
   for (std::size_t k = 0; k < count; ++k) all[k].begin();

@@ -1,0 +1,247 @@
+// Where a described robot and the balls touch what is around them, in the middle of a step of a compiled
+// world: the robot's points the ground (probes.hpp), its shapes boxes and balls, balls the ground, boxes and
+// each other.
+//
+// Kept are `most` touches, of more the deepest. `key` says which things touch, and where: the touches of the
+// next step with the same key begin with the impulse of this one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <cca/sim/compiled/around/box_on_box.hpp>
+#include <cca/sim/compiled/around/surroundings.hpp>
+#include <cca/sim/compiled/contacts/slots.hpp>
+#include <cca/sim/compiled/on_links.hpp>
+#include <cca/sim/compiled/probes.hpp>
+#include <cca/sim/compiled/tree_step.hpp>
+
+namespace cca::sim::detail {
+
+// The normal points into the robot or, of two things without it, into the ball `into`.
+template <class Real>
+struct touch_in_step {
+  static constexpr int none = -1;
+
+  const probe* of = nullptr;  // the robot's shape; of nothing that moves: `nothing`
+  int key = 0;
+  int box = none;                // what is touched: a box
+  int into = none, from = none;  // balls
+  bool on_ground = false;
+  Real depth{};
+  triple<Real> normal{}, at{};  // in the world
+
+  constexpr bool has_ball() const { return into >= 0 || from >= 0; }
+};
+
+template <class R, class Real>
+class touches_in_step {
+public:
+  using tree = compiled_tree<R>;
+  using probes = probes_of<R>;
+  using step_type = tree_step<R, Real>;
+  using one = touch_in_step<Real>;
+  static constexpr std::size_t most = 32;
+  static constexpr probe nothing{.link = -1, .shape = -1, .tip = 0, .at = {}, .radius = 0};
+
+  std::size_t count = 0;
+  slots<one, most> all;
+
+  void find(const step_type& step, const ground& under) {
+    count = shallow = 0;
+    if constexpr (probes::count > 0)
+      if (under.exists) find_on_ground(step, under);
+  }
+  // Beside those on the ground. `after`: of the beat's begin, s.
+  void find_around(const step_type& step,
+                   const surroundings& around,
+                   const motion_around<Real>& now,
+                   double after) {
+    std::array<box_form<Real>, boxes_around::most> boxes;
+    for (std::size_t i = 0; i < around.boxes.count; ++i) {
+      const placed_frame<double> f = now.boxes[i].frame(after);
+      for (std::size_t k = 0; k < 3; ++k) boxes[i].frame.axes[k] = real(f.axes[k]);
+      const auto& h = around.boxes.half[i];
+      boxes[i].frame.at = real(f.at), boxes[i].half = {Real(h[0]), Real(h[1]), Real(h[2])};
+    }
+    for (std::size_t s = 0; s < probes::shape_count; ++s) find_of_shape(step, around, now, boxes, s);
+    for (std::size_t i = 0; i < around.balls.count; ++i) find_of_ball(around, now, boxes, i);
+  }
+
+private:
+  static constexpr triple<Real> real(const triple<double>& v) { return {Real(v[0]), Real(v[1]), Real(v[2])}; }
+
+  // Numbers of things, for keys.
+  static constexpr std::size_t features = 8, balls_at = boxes_around::most,
+                               things = balls_at + balls_around::most, ground_key = 1 << 20;
+  static constexpr int key_of(std::size_t first, std::size_t second, std::size_t feature) {
+    return static_cast<int>(ground_key + (first * things + second) * features + feature);
+  }
+  static constexpr std::size_t ball_key(std::size_t ball) { return probes::shape_count + ball; }
+
+  // The place for a touch of this depth; null: there are `most` deeper ones.
+  one* room_for(const Real& depth) {
+    if (count < most) return &all.make(count++);
+    return depth > all[shallow].depth ? &all[shallow] : nullptr;
+  }
+  void look_for_shallow() {
+    if (count < most) return;
+    for (std::size_t k = 0; k < count; ++k)
+      if (all[k].depth < all[shallow].depth) shallow = k;
+  }
+  void add(const one& t) {
+    one* const place = room_for(t.depth);
+    if (!place) return;
+    *place = t;
+    look_for_shallow();
+  }
+
+  void find_on_ground(const step_type& step, const ground& under) {
+    const bool is_level = under.profile.is_level();
+    const triple<Real> up{step.base.axes[0][2], step.base.axes[1][2], step.base.axes[2][2]};
+    int link = -2;
+    triple<Real> rise{};  // of the link's axes
+    Real height{};        // of its origin, above the floor
+    for (std::size_t i = 0; i < probes::count; ++i) {
+      const probe& p = probes::all[i];
+      if (is_level) {
+        if (p.link != link) {
+          link = p.link;
+          height = step.base.at[2] - Real(under.floor), rise = up;
+          if (link >= 0) {
+            const auto& f = step.now.places[static_cast<std::size_t>(link)];
+            height = height + dot(up, f.at), rise = along(f, up);
+          }
+        }
+        const Real above =
+            height + Real(p.at[0]) * rise[0] + Real(p.at[1]) * rise[1] + Real(p.at[2]) * rise[2];
+        if (everywhere(above > Real(p.radius + 1e-9))) continue;
+      }
+      const triple<Real> at = on_links<R, Real>::point(step.now.places, p.link, p.at),
+                         world = step.base.at + step.base.direction(at);
+      const ground_touch<Real> t = touch_of(under, world, p.radius);
+      if (!(t.depth > Real(0.0))) continue;
+      one* const place = room_for(t.depth);
+      if (!place) continue;
+      place->of = &p, place->key = static_cast<int>(i);
+      place->on_ground = true;
+      if (count == most) place->box = place->into = place->from = one::none;  // of the one that was there
+      place->depth = t.depth, place->normal = t.normal, place->at = world - Real(p.radius) * t.normal;
+      look_for_shallow();
+    }
+  }
+
+  void find_of_shape(const step_type& step,
+                     const surroundings& around,
+                     const motion_around<Real>& now,
+                     const std::array<box_form<Real>, boxes_around::most>& boxes,
+                     std::size_t s) {
+    const placed_shape& shape = probes::shapes[s];
+    const bool moves = probes::moves(shape);
+    if (!moves && around.balls.count == 0) return;
+    const auto& size = shape.form.size;
+    const bool is_box = shape.form.kind == robots::shape_kind::box,
+               is_sphere = shape.form.kind == robots::shape_kind::sphere;
+    const Real radius(is_box ? 0.0 : size[0]), reach(probes::reach(shape));
+    box_form<Real> own{{}, {Real(size[0] / 2), Real(size[1] / 2), Real(size[2] / 2)}};
+    placed_frame<Real>& frame = own.frame;
+    frame.at = step.base.at + step.base.direction(on_links<R, Real>::point(
+                                  step.now.places, shape.link, tree::point({shape.link, shape.where})));
+    bool is_turned = is_sphere;  // its axes are found where something is near
+    const auto turn = [&] {
+      if (is_turned) return;
+      const auto in_base = on_links<R, Real>::end_frame(step.now.places, {shape.link, shape.where});
+      for (std::size_t k = 0; k < 3; ++k) frame.axes[k] = step.base.direction(in_base.axes[k]);
+      is_turned = true;
+    };
+    const Real half_length(shape.form.kind == robots::shape_kind::capsule ? size[1] / 2 : 0.0);
+    one t;
+    t.of = moves ? &probes::all[probes::first[s]] : &nothing;
+    for (std::size_t b = 0; moves && b < around.boxes.count; ++b) {
+      const nearest_on_box<Real> n = boxes[b].nearest(boxes[b].inside(frame.at));
+      if (n.distance > reach) continue;
+      turn();
+      t.box = static_cast<int>(b);
+      const auto touches = [&](int feature, const Real& depth, const triple<Real>& at,
+                               const triple<Real>& normal) {
+        t.key = key_of(s, b, static_cast<std::size_t>(feature));
+        t.depth = depth, t.at = at, t.normal = normal;
+        add(t);
+      };
+      if (is_box) box_on_box<Real>(boxes[b], own).touch(touches);
+      else if (shape.form.kind == robots::shape_kind::capsule)
+        boxes[b].touch_capsule(frame.at - half_length * frame.axes[2], frame.at + half_length * frame.axes[2],
+                               radius, touches);
+      else boxes[b].touch_sphere(frame.at, radius, touches);
+    }
+    t.box = one::none;
+    for (std::size_t i = 0; i < around.balls.count; ++i) {
+      const triple<Real>& at = now.balls[i].at;
+      const Real of_ball(around.balls.all[i].radius), far_off = reach + of_ball;
+      const triple<Real> off = at - frame.at;
+      if (dot(off, off) > far_off * far_off) continue;
+      turn();
+      triple<Real> out;  // from the shape to the ball
+      Real apart{};
+      if (is_box) {
+        const nearest_on_box<Real> n = own.nearest(own.inside(at));
+        out = frame.direction(n.normal), apart = n.distance;
+      } else {
+        const Real way = between(-half_length, dot(off, frame.axes[2]), half_length);
+        const triple<Real> line = off - way * frame.axes[2];
+        const Real far = root(dot(line, line));
+        if (!(far > Real(0.0))) continue;
+        out = (Real(1.0) / far) * line, apart = far - radius;
+      }
+      t.depth = of_ball - apart;
+      if (!(t.depth > Real(0.0))) continue;
+      // Where the shape's surface is, below the ball's.
+      t.at = at - apart * out;
+      t.normal = moves ? Real(-1.0) * out : out;
+      t.into = moves ? one::none : static_cast<int>(i), t.from = moves ? static_cast<int>(i) : one::none;
+      t.key = key_of(s, balls_at + i, 0);
+      add(t);
+    }
+  }
+
+  void find_of_ball(const surroundings& around,
+                    const motion_around<Real>& now,
+                    const std::array<box_form<Real>, boxes_around::most>& boxes,
+                    std::size_t i) {
+    const triple<Real>& at = now.balls[i].at;
+    const double radius = around.balls.all[i].radius;
+    one t;
+    t.of = &nothing, t.into = static_cast<int>(i);
+    const ground_touch<Real> on = touch_of(around.under, at, radius);
+    if (on.depth > Real(0.0)) {
+      t.on_ground = true, t.depth = on.depth, t.normal = on.normal, t.at = at - Real(radius) * on.normal;
+      t.key = key_of(ball_key(i), balls_at + i, 0);
+      add(t);
+      t.on_ground = false;
+    }
+    for (std::size_t b = 0; b < around.boxes.count; ++b) {
+      t.box = static_cast<int>(b), t.key = key_of(ball_key(i), b, 0);
+      boxes[b].touch_sphere(
+          at, Real(radius),
+          [&](int, const Real& depth, const triple<Real>& where, const triple<Real>& normal) {
+            t.depth = depth, t.at = where, t.normal = normal;
+            add(t);
+          });
+    }
+    t.box = one::none;
+    for (std::size_t k = 0; k < i; ++k) {
+      const triple<Real> off = at - now.balls[k].at;
+      const Real far = root(dot(off, off));
+      t.depth = Real(radius + around.balls.all[k].radius) - far;
+      if (!(t.depth > Real(0.0)) || !(far > Real(0.0))) continue;
+      t.normal = (Real(1.0) / far) * off, t.at = at - Real(radius) * t.normal;
+      t.from = static_cast<int>(k), t.key = key_of(ball_key(i), balls_at + k, 0);
+      add(t);
+      t.from = one::none;
+    }
+  }
+
+  std::size_t shallow = 0;
+};
+
+}  // namespace cca::sim::detail

@@ -1,0 +1,22 @@
+// A vector that the program gives to a compiled world: three numbers, an array of them, or a vector of Eigen.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <cca/base/eigen.hpp>
+
+namespace cca::sim::detail {
+
+template <class Real>
+struct given_vector {
+  std::array<Real, 3> numbers{};
+
+  given_vector() = default;
+  given_vector(const Real& x, const Real& y, const Real& z) : numbers{x, y, z} {}
+  given_vector(const std::array<Real, 3>& v) : numbers(v) {}
+  template <class Of>
+  given_vector(const Eigen::MatrixBase<Of>& v) : numbers{Real(v[0]), Real(v[1]), Real(v[2])} {}
+};
+
+}  // namespace cca::sim::detail
