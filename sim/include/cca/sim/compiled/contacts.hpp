@@ -158,6 +158,7 @@ private:
                        Real(under.correcting_speed));
       set_tangents(x);
       fill(step, x, l, speed, scale);
+      l.is_cone = !under.contact.pyramid;
       turn_tangents(x, l);
       // Of a point that can't move along the surface the speed is 0, and any impulse would do: none.
       for (std::size_t r = 1; r < 3; ++r) l.own[r] = l.own[r] + Real(1e-10 * give);
@@ -281,6 +282,10 @@ private:
       const Real a = x.w[0][i], b = x.w[1][i], c = x.w[2][i];
       g[0] = g[0] + a * a, g[1] = g[1] + b * b, g[2] = g[2] + c * c;
       g[3] = g[3] + a * b, g[4] = g[4] + a * c, g[5] = g[5] + b * c;
+    }
+    if (!l.is_cone) {
+      l.own = {g[0], g[1], g[2]}, l.coupling = {g[3], g[4]}, l.across = g[5];
+      return;
     }
     const Real d = g[2] - g[1], twice = g[5] + g[5], size = larger(d, -d);
     const Real sign = select(d < Real(0.0), Real(-1.0), Real(1.0));
