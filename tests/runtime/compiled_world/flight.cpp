@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "../dual.hpp"
-#include "robots.hpp"
+#include "flights.hpp"
 
 namespace laws {
 std::size_t allocations();  // in tests/laws/allocations.cpp
@@ -17,32 +17,6 @@ using namespace compiled_test;
 using test::dual;
 
 namespace {
-
-// With speeds of up to 2 rad/s. `steps`: in a beat of 1 ms.
-template <class R>
-sim::compiled_world<R> thrown(int steps) {
-  sim::robot_world_settings s;
-  s.steps_per_beat = steps;
-  sim::compiled_world<R> w(s);
-  laws::source random{std::mt19937_64{7}};
-  const auto place = random_place(random);
-  const numbers<R> q = random_numbers<R>(random, 0.3), dq = random_numbers<R>(random, 2);
-  const Eigen::Vector3d turning = random.vector(2), velocity = random.vector(2);
-  if constexpr (R::floats)
-    w.place(q, dq, place, {turning[0], turning[1], turning[2]}, {velocity[0], velocity[1], velocity[2]});
-  else w.place(q, dq);
-  return w;
-}
-
-// After each beat of 0.3 s.
-template <class R>
-double largest_change_of_energy(int steps) {
-  auto w = thrown<R>(steps);
-  const double before = w.energy();
-  double most = 0;
-  for (int i = 0; i < 300; ++i) w.advance({}), most = std::max(most, std::abs(w.energy() - before));
-  return most;
-}
 
 // Angular about the centre of mass, then linear; along the world's axes.
 Eigen::Matrix<double, 6, 1> momentum(const sim::compiled_world<flying_oncilla>& w) {
@@ -84,7 +58,7 @@ Real swung(const Real& speed) {
 
 TEST_SUITE("compiled world: flight") {
   TEST_CASE_TEMPLATE("energy stays, to the second order", R, flying_oncilla, limp_arm) {
-    const double whole = largest_change_of_energy<R>(2), half = largest_change_of_energy<R>(4);
+    const double whole = largest_change_of_energy(thrown<R>(2)), half = largest_change_of_energy(thrown<R>(4));
     MESSAGE("J: ", whole, " in steps of 0.5 ms, ", half, " in steps of 0.25 ms");
     CHECK(half < 0.3 * whole);
     CHECK(half > 0.2 * whole);

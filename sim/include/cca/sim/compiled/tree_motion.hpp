@@ -2,7 +2,8 @@
 // step changes, and how positions follow velocities.
 //
 // A plain value. The base is placed in the world, and its velocities are along the world's axes: those of its
-// origin. Of a base that is held, they are zero. `change`: of the velocities in the last step, per second.
+// origin. Of a base that is held, they are zero. `change`: of the velocities in the last step, per second, and
+// in the one before.
 #pragma once
 
 #include <array>
@@ -77,8 +78,11 @@ struct tree_motion {
   attitude_of_base<Real> attitude{};
   triple<Real> angular_velocity{}, velocity{};
   std::array<Real, n> q{}, dq{};
-  triple<Real> turning_change{};
-  std::array<Real, n> change{};
+  struct change_of_speeds {
+    triple<Real> turning{};  // of the base
+    std::array<Real, n> joints{};
+  };
+  change_of_speeds change{}, change_before{};
 
   constexpr placed_frame<Real> frame() const { return attitude.frame(at); }
 

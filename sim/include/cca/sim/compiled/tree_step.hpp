@@ -2,7 +2,7 @@
 //
 // Moreau's midpoint: positions follow the velocities for half a step, then the velocities change at once by
 // the forces and the inertia of that posture, then positions follow for the other half. What velocities add
-// to the forces (centrifugal, Coriolis) is taken in the middle, where the last change leads: the step is of
+// to the forces (centrifugal, Coriolis) is taken in the middle, where the last changes lead: the step is of
 // second order. Forces of joints and lines are straight pieces in the change of the velocities. A round
 // solves the equations for the pieces that hold at a guess, first that of the last step; it repeats until the
 // pieces at the result are the same. Mostly one round is enough; `most_rounds` bounds their number. Source:
@@ -71,10 +71,13 @@ public:
     m.drift(0.5 * h);
     base = m.frame();
     now.look(m.q);
-    const Real half(0.5 * h);
+    // Where the last two changes lead. By the last one alone (half of it) what swings by gyroscopic forces would
+    // gain in each step.
+    const Real last(h * 2 / 3), sooner(h / 6);
+    const auto &a = m.change, &b = m.change_before;
     coordinates speeds;
-    for (std::size_t c = 0; c < n; ++c) speeds[c] = m.dq[c] + half * m.change[c];
-    const triple<Real> turning = along(base, m.angular_velocity + half * m.turning_change),
+    for (std::size_t c = 0; c < n; ++c) speeds[c] = m.dq[c] + (last * a.joints[c] - sooner * b.joints[c]);
+    const triple<Real> turning = along(base, m.angular_velocity + (last * a.turning - sooner * b.turning)),
                        up = along(base, triple<Real>{Real(0.0), Real(0.0), Real(gravity)});
     now.weigh(speeds, turning, up);
     if (built->added.exist()) built->added.weigh(now, speeds, turning, up);
@@ -86,7 +89,7 @@ public:
     prepare(m, drives);
     const auto free_entries = now.mass.entry;
     vector guess{};
-    for (std::size_t c = 0; c < n; ++c) guess[row(c)] = Real(h) * m.change[c];
+    for (std::size_t c = 0; c < n; ++c) guess[row(c)] = Real(h) * m.change.joints[c];
     for (rounds = 1;; ++rounds) {
       change = now.forces;
       for (std::size_t c = 0; c < n; ++c) {
@@ -113,15 +116,16 @@ public:
   // the next step.
   constexpr void end(motion& m, tree_drives<R, Real>& drives, const vector& smooth) {
     const Real per_second(1 / h);
+    m.change_before = m.change;
     if constexpr (tree::floats) {
       m.angular_velocity = m.angular_velocity + base.direction({change[0], change[1], change[2]});
       m.velocity = m.velocity + base.direction({change[3], change[4], change[5]});
-      m.turning_change = per_second * base.direction({smooth[0], smooth[1], smooth[2]});
+      m.change.turning = per_second * base.direction({smooth[0], smooth[1], smooth[2]});
     }
     for (std::size_t c = 0; c < n; ++c) {
       drives.torque[c] = joints[c].motor.at(change[row(c)]).force;
       m.dq[c] = m.dq[c] + change[row(c)];
-      m.change[c] = per_second * smooth[row(c)];
+      m.change.joints[c] = per_second * smooth[row(c)];
       if (R::drives[c].cable.stiffness > 0) drives.pulleys[c].torque = drives.torque[c];
       if (tree::ranges[c].exists()) m.q[c] = m.q[c] - Real(comes_back) * beyond(tree::ranges[c], m.q[c]);
     }

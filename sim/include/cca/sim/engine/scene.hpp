@@ -36,6 +36,8 @@ struct contact_numbers {
   double stiffness = 40e3;  // N/m
   double damping = 200;     // N s/m
   double friction = 0.75;   // of the load
+  // Of a compiled world, whose friction is a cone: a pyramid, as in the engine, to compare the two.
+  bool pyramid = false;
 };
 
 struct scene {

@@ -1,7 +1,8 @@
 // Contacts of one step, solved together: the impulses for which each contact obeys its law.
 //
 //   normal     u + give p - bias >= 0, p >= 0, and one of both is 0: a spring and a damper at the end of the step
-//   along      the friction takes as much from the slip as it can, at most `friction` times p: a true cone
+//   along      the friction takes as much from the slip as it can, at most `friction` times p: a true cone, or
+//              along each tangent for itself: a pyramid
 //
 // u: the speed of the contact after the step. Block Gauss-Seidel: each contact in turn, the others given.
 // Alone it is solved exactly if it sticks; if it slips, the normal, then the two tangents, which are turned
@@ -23,6 +24,8 @@ struct contact_rounds {
   static constexpr int most = 20, of_slip = 2, of_newton = 3;
   static constexpr double settled = 1e-6;  // m/s
   static constexpr double round = 1e-20;   // of the circle: how far from it, squared
+  static constexpr int of_pyramid = 50;
+  static constexpr double flat = 1e-13;  // of the pyramid: what its last round changes
 };
 
 // Of one contact: normal, then two tangents.
@@ -30,7 +33,9 @@ template <class Real>
 struct contact_law {
   std::array<Real, 3> speed{};      // without any impulse
   std::array<Real, 3> own{};        // speed for its own impulses: the diagonal
-  std::array<Real, 2> coupling{};   // of the normal with each tangent; the tangents don't meet
+  std::array<Real, 2> coupling{};   // of the normal with each tangent
+  Real across{};                    // of the tangents: 0 for a cone
+  bool is_cone = true;
   Real give{}, bias{}, friction{};  // m/s for N s; m/s
   std::array<Real, 3> impulse{};
 
@@ -44,6 +49,7 @@ struct contact_law {
   // Alone, with these speeds from the others.
   constexpr std::array<Real, 3> solved(const std::array<Real, 3>& u) {
     const Real need = bias - u[0];
+    if (!is_cone) return on_pyramid(u, need);
     // Sticks: [a p q; p b 0; q 0 c] x = (need, -u1, -u2).
     const Real n = over * (need + tied[0] * u[1] + tied[1] * u[2]);
     const Real s = -(ease[1] * u[1] + tied[0] * n), t = -(ease[2] * u[2] + tied[1] * n);
@@ -56,6 +62,21 @@ struct contact_law {
   }
 
 private:
+  // One number after the other, each within its bounds.
+  constexpr std::array<Real, 3> on_pyramid(const std::array<Real, 3>& u, const Real& need) const {
+    auto [n, s, t] = impulse;
+    for (int round = 0; round < contact_rounds::of_pyramid; ++round) {
+      const Real a = n, b = s, c = t;
+      n = larger((need - coupling[0] * s - coupling[1] * t) * ease[0], Real(0.0));
+      const Real most = friction * n;
+      s = between(-most, -((u[1] + coupling[0] * n + across * t) * ease[1]), most);
+      t = between(-most, -((u[2] + coupling[1] * n + across * s) * ease[2]), most);
+      const Real off = larger(larger(n - a, a - n), larger(larger(s - b, b - s), larger(t - c, c - t)));
+      if (everywhere(off <= Real(contact_rounds::flat) * n)) break;
+    }
+    return {n, s, t};
+  }
+
   std::array<Real, 3> ease{};  // 1 / own
   std::array<Real, 2> tied{};  // coupling / own
   Real over{}, shift{};        // shift: of the circle, in the last round

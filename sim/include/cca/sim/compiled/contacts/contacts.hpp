@@ -260,6 +260,7 @@ private:
       x.set_tangents(t.normal);
       x.fill(step, *t.of, t.at, l, speed, scale);
       see(k);
+      l.is_cone = !under.contact.pyramid;
       x.turn_tangents(l);
       if constexpr (has_more)
         for (std::size_t r = 0; r < 3; ++r) l.own[r] = l.own[r] + x.loose[r < 1 ? 0 : 1];
