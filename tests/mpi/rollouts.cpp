@@ -216,7 +216,7 @@ private:
     try {
       all.rollouts(all.rank() == 1 ? 12 : 13, [](std::size_t i) {
         wait(20);
-        return i;
+        return static_cast<int>(i);
       });
       say("nothing was thrown");
     } catch (const cca::mpi::failed_run& e) { say(e.what()); }
