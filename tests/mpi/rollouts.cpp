@@ -210,6 +210,7 @@ private:
       all.rollouts(4, [&](std::size_t) { return all.rollouts(2, run).size(); });
       say("nothing was thrown");
     } catch (const cca::mpi::failed_run& e) { say(e.what()); }
+    say(std::to_string(all.rollouts(3, run).size()) + " results afterwards");
   }
 
   void differ() {
