@@ -146,10 +146,11 @@ def errors(bench):
     results, _ = bench.run(4, "fails")
     all_same(results, range(4), "run 1 of 1\n" * 2 + "3 results afterwards\n")
     results, _ = bench.run(4, "settings")
-    all_same(results, range(4), "told of 400\nasked of 400\ncca::mpi: rollouts is called within a run, or from two threads at once\n")
+    all_same(results, range(4), "told of 400\nasked of 400\ncca::mpi: rollouts is called within a run, or from two threads at once\n"
+                                "3 results afterwards\n")
     results, _ = bench.run(4, "differ")
-    all_same(results, range(4), "cca::mpi: rank 1 asks for 12 runs that return `unsigned long` where rank 0 makes 13 runs that return "
-                                "`unsigned long`: all ranks must make the same calls, with the same numbers\n")
+    all_same(results, range(4), "cca::mpi: rank 1 asks for 12 runs that return `int` where rank 0 makes 13 runs that return `int`: "
+                                "all ranks must make the same calls, with the same numbers\n")
 
 
 def stops(bench):
@@ -163,7 +164,7 @@ def stops(bench):
 
 def interrupted(bench):
     """Ctrl-C reaches mpirun alone; all ranks write what they have."""
-    bench.mpirun += ["--mca", "odls_base_sigkill_timeout", "20"]  # the machine may be busy
+    bench.mpirun += ["--mca", "odls_base_sigkill_timeout", "3"]  # the machine may be busy
     program = subprocess.Popen(bench.words(4, PATIENCE, "interrupted", []), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                start_new_session=True)
     for _ in range(4):

@@ -210,13 +210,14 @@ private:
       all.rollouts(4, [&](std::size_t) { return all.rollouts(2, run).size(); });
       say("nothing was thrown");
     } catch (const cca::mpi::failed_run& e) { say(e.what()); }
+    say(std::to_string(all.rollouts(3, run).size()) + " results afterwards");
   }
 
   void differ() {
     try {
       all.rollouts(all.rank() == 1 ? 12 : 13, [](std::size_t i) {
         wait(20);
-        return i;
+        return static_cast<int>(i);
       });
       say("nothing was thrown");
     } catch (const cca::mpi::failed_run& e) { say(e.what()); }

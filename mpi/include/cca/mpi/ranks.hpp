@@ -69,15 +69,15 @@ public:
       static_assert(cca::detail::holds_or_tells<detail::Packable<result>, detail::not_sent<result>>::value);
       if constexpr (detail::Packable<result>) {
         if (!job_) return sim::rollouts(count, std::move(run), settings);
-        const detail::call_facts call{job_->next_call(), count,
-                                      std::to_string(count) + " runs that return `" +
-                                          std::string(cca::detail::type_name<result>()) + "`",
-                                      settings.threads > 0 ? settings.threads : job_->threads(),
-                                      [&run](std::size_t i) {
-                                        std::string bytes;
-                                        detail::put(bytes, static_cast<const result&>(run(i)));
-                                        return bytes;
-                                      }};
+        detail::call_facts call{0, count,
+                                std::to_string(count) + " runs that return `" +
+                                    std::string(cca::detail::type_name<result>()) + "`",
+                                settings.threads > 0 ? settings.threads : job_->threads(),
+                                [&run](std::size_t i) {
+                                  std::string bytes;
+                                  detail::put(bytes, static_cast<const result&>(run(i)));
+                                  return bytes;
+                                }};
         std::vector<result> all;
         for (const std::string& one : make(call, settings)) {
           std::string_view bytes = one;
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  std::vector<std::string> make(const detail::call_facts& call, const sim::rollout_settings& settings) {
+  std::vector<std::string> make(detail::call_facts& call, const sim::rollout_settings& settings) {
     if (is_calling_.exchange(true))
       throw std::logic_error("cca::mpi: rollouts is called within a run, or from two threads at once");
     struct at_work {
@@ -99,6 +99,7 @@ private:
       std::atomic<bool>& is_calling;
       ~at_work() { mail.hurry(false), is_calling = false; }
     } const during{job_->mail(), is_calling_};
+    call.number = job_->next_call();
     job_->mail().hurry(true);
     detail::call_outcome outcome = detail::shared_call(job_->mail(), call, settings).make();
     if (outcome.failed.is_one()) throw failed_run(outcome.failed.number, outcome.failed.text);
