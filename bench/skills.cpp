@@ -132,7 +132,7 @@ struct by_hand {
   int now_on = 0;
   bool right = false, settled = false, timed_out = false;
   double hip_stiffness = 30, smooth = 0, aside = 0, turn = 0, wanted = 0, share = 0;
-  Vector3d correction{0, 0, 0}, swaying{0, 0, 0};
+  Vector3d correction{0, 0, 0}, swaying{0, 0, 0}, turning{0, 0, 0};
   vector4 carrying = vector4::Zero();
   std::array<Vector3d, 4> solution;
   vector8 hip_goal = vector8::Zero();
@@ -444,7 +444,8 @@ struct by_hand {
                 : way < 0 ? skills::ball_state::near
                           : skills::ball_state::ahead;
     paw_told = contacts[side] != 0 ? skills::paw_state::grounded : skills::paw_state::raised;
-    smooth += dt / still.smoothing * (rates.norm() - smooth);
+    turning += std::min(1.0, dt / still.each) * (rates - turning);
+    smooth += std::min(1.0, dt / still.smoothing) * (turning.norm() - smooth);
     stands_still.update(smooth, still.limits, dt);
 
     // Limits.
