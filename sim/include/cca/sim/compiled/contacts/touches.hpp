@@ -71,11 +71,12 @@ public:
 private:
   static constexpr triple<Real> real(const triple<double>& v) { return {Real(v[0]), Real(v[1]), Real(v[2])}; }
 
-  // Numbers of things, for keys.
+  // Numbers of things, for keys: robot's shapes and balls with boxes and balls. Smaller keys are points on
+  // the ground.
   static constexpr std::size_t features = 8, balls_at = boxes_around::most,
-                               things = balls_at + balls_around::most, ground_key = 1 << 20;
+                               things = balls_at + balls_around::most, beyond_ground = 1 << 20;
   static constexpr int key_of(std::size_t first, std::size_t second, std::size_t feature) {
-    return static_cast<int>(ground_key + (first * things + second) * features + feature);
+    return static_cast<int>(beyond_ground + (first * things + second) * features + feature);
   }
   static constexpr std::size_t ball_key(std::size_t ball) { return probes::shape_count + ball; }
 
