@@ -31,10 +31,10 @@ struct contact_rounds {
 // Of one contact: normal, then two tangents.
 template <class Real>
 struct contact_law {
-  std::array<Real, 3> speed{};      // without any impulse
-  std::array<Real, 3> own{};        // speed for its own impulses: the diagonal
-  std::array<Real, 2> coupling{};   // of the normal with each tangent
-  Real across{};                    // of the tangents: 0 for a cone
+  std::array<Real, 3> speed{};     // without any impulse
+  std::array<Real, 3> own{};       // speed for its own impulses: the diagonal
+  std::array<Real, 2> coupling{};  // of the normal with each tangent
+  Real across{};                   // of the tangents: 0 for a cone
   bool is_cone = true;
   Real give{}, bias{}, friction{};  // m/s for N s; m/s
   std::array<Real, 3> impulse{};
