@@ -197,8 +197,11 @@ TEST_SUITE("compiled world: balls") {
     CHECK(w.contact(0).pressing == doctest::Approx(mass * gravity).epsilon(1e-3));
     // Pushed, it rolls: of each ball 3/8 of its mass count.
     const double before = w.frame(-1).velocity[0];
+    const sim::contact_account rested = w.contact(0);
     w.push({1, 0, 0});
     run(w, 300);
+    MESSAGE("slip: ", (w.contact(0) - rested).slip, " N m");
+    CHECK((w.contact(0) - rested).slip < 1e-5);  // it rolls
     const double a = 1 / (mass + 3 * ball_mass * (1 + 0.4) / 4);
     CHECK(w.frame(-1).velocity[0] - before == doctest::Approx(0.3 * a).epsilon(5e-3));
     for (std::size_t i = 0; i < 3; ++i)
