@@ -117,20 +117,6 @@ struct stored_array<Graph, Array, Kind> {
   }
 };
 
-// ---- components whose clock is known only at run time ----
-
-struct last_firing {
-  std::int64_t last = -1;       // beat; -1: it has not fired yet
-  std::int64_t oldest = never;  // origin that it saw then
-  bool is_first = true;         // of a part: it has not fired since that was started
-};
-template <int Count>
-struct last_firings {
-  last_firing firings[array_size(Count)]{};
-};
-template <>
-struct last_firings<0> {};
-
 // ---- parts: nodes that may be stopped, components and inner graphs ----
 //
 // A graph without parts keeps nothing of this. A function of a part has a test, and a part that is stopped
@@ -302,15 +288,14 @@ struct reference_to_array {
 
 template <class Graph, class BeatArrays = beat_arrays<Graph>>
 struct references_to_arrays;
-template <class Graph, int... BeatArray>
-struct references_to_arrays<Graph, std::integer_sequence<int, BeatArray...>>
-    : reference_to_array<Graph, BeatArray>... {
-  CCA_INLINE explicit references_to_arrays(stored_array<Graph, BeatArray>&... samples)
-      : reference_to_array<Graph, BeatArray>{samples}... {}
+template <class Graph, int... Array>
+struct references_to_arrays<Graph, std::integer_sequence<int, Array...>>
+    : reference_to_array<Graph, Array>... {
+  CCA_INLINE explicit references_to_arrays(stored_array<Graph, Array>&... samples)
+      : reference_to_array<Graph, Array>{samples}... {}
 };
 
-// Its name does not list its arrays: it is part of the name of each function that takes it, and with 300
-// arrays such names would take g++ a twelfth of its time.
+// Its name does not list its arrays (docs/compilers.md).
 template <class Graph>
 struct beat_context : references_to_arrays<Graph>,
                       derived_in_beat<Graph>,
@@ -329,9 +314,8 @@ struct beat_context : references_to_arrays<Graph>,
                           Arrays&&... samples)
       : references_to_arrays<Graph>(samples...),
         derived_in_beat<Graph>(its_rooms, its_marks),
-        resting_parts<parts_kept<Graph>>(static_cast<const part_states<parts_kept<Graph>>&>(s)),
-        after_missed<layout_of<Graph>.missed_count>(
-            static_cast<const missed_firings<layout_of<Graph>.missed_count>&>(s), beat),
+        resting_parts<parts_kept<Graph>>(s),
+        after_missed<layout_of<Graph>.missed_count>(s, beat),
         state(s),
         outcome(o),
         k(beat) {}

@@ -1,9 +1,10 @@
-// What a component of known clock did not do: a fault ended the beat before its turn, or its environment left
-// the beat out. So its next firing comes later after the last one than its clock says.
+// When a component of a clock that is known only at run time fired last. And what one of known clock did not
+// do: a fault ended the beat before its turn, or its environment left the beat out. So its next firing comes
+// later after the last one than its clock says.
 //
-// It is noted when a beat has ended early, outside of it. A beat asks once whether anything was missed not
-// long ago. Cost: in a graph that may fault this test, and one of its result in each component of known clock
-// that a fault may keep from firing and that reads now.dt() or fresh(); elsewhere nothing.
+// What was missed is noted when a beat has ended early, outside of it. A beat asks once whether anything was
+// missed not long ago. Cost: in a graph that may fault this test, and one of its result in each component of
+// known clock that a fault may keep from firing and that reads now.dt() or fresh(); elsewhere nothing.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,22 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/base/inlining.hpp>
+#include <cca/space/origin.hpp>
 
 namespace cca::detail {
+
+// Of a component whose clock is known only at run time.
+struct last_firing {
+  std::int64_t last = -1;       // beat; -1: it has not fired yet
+  std::int64_t oldest = never;  // origin that it saw then
+  bool is_first = true;         // of a part: it has not fired since that was started
+};
+template <int Count>
+struct last_firings {
+  last_firing firings[array_size(Count)]{};
+};
+template <>
+struct last_firings<0> {};
 
 inline constexpr int all_turns = std::numeric_limits<int>::max();
 

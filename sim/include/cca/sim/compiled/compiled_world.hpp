@@ -69,15 +69,9 @@ public:
 
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
       : settings_((check(settings), settings)),
-        around_(detail::surroundings_of(around, settings.engine)),
+        around_(detail::surroundings_of(around, settings.engine, detail::probes_of<R>::shape_count > 0)),
         built_(settings.body) {
-    if (detail::probes_of<R>::shape_count == 0 && !around.balls.empty())
-      throw std::invalid_argument(
-          "cca::sim::compiled_world: the robot has no shapes, so nothing of it touches the balls of the "
-          "scene; leave them out, or use cca::sim::robot_world");
     model();  // its numbers are checked
-    if (settings.steps_per_beat < 1)
-      throw std::invalid_argument("cca::sim::compiled_world: a beat has at least one physics step");
     state_.around.begin(around);
     std::array<Real, n> q{};
     if constexpr (requires { R::start.size(); }) std::copy(R::start.begin(), R::start.end(), q.begin());
@@ -133,8 +127,7 @@ public:
     built_.take(state_.conditions);
   }
 
-  // A force and a torque at the end of a part, along the world's axes, until they are set again. What is not
-  // finite is ignored.
+  // At the end of a part, along the world's axes, until they are set again; what is not finite is ignored.
   void pull(std::size_t part, const given& force, const given& torque = {}) {
     auto& kept = state_.pulls[numbered(part, state_.pulls.size(), "part")];
     take(kept.force, force);
@@ -223,9 +216,9 @@ public:
     const vector3 c = whole::centre_of_mass(state_.motion, built_.added);
     return {c[0], c[1], c[2]};
   }
-  // Of the robot alone, J: kinetic, and potential from the height of the world's origin.
+  // Of the robot alone, J: kinetic, and potential from the world's origin.
   Real energy() const { return whole::energy(state_.motion, settings_.engine.gravity, built_.added); }
-  // In springs and cables between points and in the springs of joints, J.
+  // J; in springs and cables between points, and in joints.
   Real spring_energy() const { return whole::spring_energy(state_.motion); }
   // The force of a spring or cable (in order of declaration), N; negative: it pushes.
   Real tension(std::size_t spring) const {
@@ -251,7 +244,7 @@ public:
   Real absolute_work() const { return state_.absolute_work; }  // braking is work
   double time() const { return static_cast<double>(state_.beats) * beat; }
 
-  // Of the floor or the terrain at x; m. Without both it is minus infinity.
+  // At x, m; without floor and terrain it is minus infinity.
   double ground_height(double x) const { return detail::height_of(around_.under, x); }
 
   const world_trouble& trouble() const { return state_.trouble; }

@@ -25,7 +25,11 @@ struct surroundings {
 };
 
 // Throws std::invalid_argument for what no world can have, and for what this one has not.
-inline surroundings surroundings_of(const scene& around, const engine_settings& settings) {
+inline surroundings surroundings_of(const scene& around, const engine_settings& settings, bool has_shapes) {
+  if (!has_shapes && !around.balls.empty())
+    throw std::invalid_argument(
+        "cca::sim::compiled_world: the robot has no shapes, so nothing of it touches the balls of the "
+        "scene; leave them out, or use cca::sim::robot_world");
   surroundings s;
   s.under = ground_of(around, settings);  // checks the scene
   const auto need_few = [](std::size_t count, std::size_t most, const std::string& things) {

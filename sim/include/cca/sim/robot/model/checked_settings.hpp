@@ -10,6 +10,7 @@ namespace cca::sim {
 
 inline void check(const robot_world_settings& s) {
   check(s.engine);
+  need(s.steps_per_beat >= 1, "the number of physics steps in a beat", s.steps_per_beat, "", "at least 1");
   need_place(s.mount, "the mount of the robot");
   for (const double bound :
        {s.plausible.speed, s.plausible.turn, s.plausible.energy, s.plausible.stop, s.plausible.stop_way})
