@@ -100,8 +100,7 @@ public:
     if (state_.trouble) return;
     const state_type before = state_;
     auto& d = state_.drives;
-    for (std::size_t c = 0; c < std::min(laws.size(), n); ++c)
-      if (laws[c].is_finite()) d.laws[c] = laws[c];
+    take(laws, d.laws);
     for (std::size_t c = 0; c < n; ++c) {
       d.pulleys[c].wanted = Real(1 / beat) * (Real(d.laws[c].position) - d.pulleys[c].wound);
       state_.joints[c].torque = Real(0.0);
@@ -141,7 +140,7 @@ public:
   const compiled_reading<Real>& joint(std::string_view name) const {
     return state_.joints[index_of(model().names.joints, name, "joint")];
   }
-  const std::array<joint_law, n>& laws() const { return state_.drives.laws; }
+  const auto& laws() const { return state_.drives.laws; }
 
   // The torque about the sensor's origin, then the force of the ground, along the sensor's axes: means.
   const std::array<Real, 6>& load(std::size_t sensor) const {
@@ -201,7 +200,9 @@ public:
 
   // Accounts since the start: of a shape, of those at the end of a part, of those on the base; J of the
   // motors. Links that are held parallel stay so.
-  const contact_account& contact(std::size_t shape) const {
+  const contact_account& contact(std::size_t shape) const
+    requires(!detail::is_in_lanes<Real>)
+  {
     return state_.contacts[numbered(shape, state_.contacts.size(), "shape of the robot")];
   }
   contact_account contact_at_end(std::size_t part) const {
@@ -319,7 +320,27 @@ private:
                         now.now.forces);
   }
 
-  static bool finite(const Real& x) { return detail::everywhere(x - x == Real(0.0)); }
+  static void take(std::span<const joint_law> from, std::array<joint_law, n>& to) {
+    for (std::size_t c = 0; c < std::min(from.size(), n); ++c)
+      if (from[c].is_finite()) to[c] = from[c];
+  }
+  template <class Laws>  // of each lane; those of lane l begin at l n, if there are more than n
+  static void take(std::span<const joint_law> from, Laws& to) {
+    for (std::size_t l = 0; l < static_cast<std::size_t>(Real::count); ++l)
+      for (std::size_t c = 0; c < std::min(from.size(), n); ++c) {
+        const std::size_t at = from.size() > n ? l * n + c : c;
+        if (at >= from.size() || !from[at].is_finite()) continue;
+        const auto set = [&](Real& x, double y) { x.set(static_cast<int>(l), y); };
+        set(to[c].position, from[at].position), set(to[c].velocity, from[at].velocity);
+        set(to[c].torque, from[at].torque), set(to[c].stiffness, from[at].stiffness);
+        set(to[c].damping, from[at].damping);
+      }
+  }
+
+  static bool finite(const Real& x) {
+    using detail::everywhere;
+    return everywhere(x - x == Real(0.0));
+  }
   static void take(std::array<Real, 3>& kept, const std::array<Real, 3>& wanted) {
     for (std::size_t k = 0; k < 3; ++k)
       if (finite(wanted[k])) kept[k] = wanted[k];

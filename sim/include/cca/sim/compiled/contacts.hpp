@@ -45,7 +45,8 @@ class contacts_in_step {
 public:
   using tree = compiled_tree<R>;
   using probes = probes_of<R>;
-  static constexpr std::size_t most = std::min<std::size_t>(probes::count, 32), longest = probes::longest;
+  static constexpr std::size_t most = is_in_lanes<Real> ? probes::count : std::min<std::size_t>(probes::count, 32),
+                               longest = probes::longest;
   using impulses = std::array<triple<Real>, probes::count>;  // of the last step, in the world
 
   std::size_t count = 0;
@@ -116,18 +117,18 @@ private:
       const triple<Real> at = on_links<R, Real>::point(step.now.places, p.link, p.at),
                          world = step.base.at + step.base.direction(at);
       const ground_touch<Real> t = touch_of(under, world, p.radius);
-      if (!(t.depth > Real(0.0))) continue;
+      if (everywhere(!(t.depth > Real(0.0)))) continue;
       std::size_t place = count;
       if (count < most) {
         ++count;
       } else {
         place = shallow;
-        if (!(t.depth > found[shallow].touch.depth)) continue;
+        if (everywhere(!(t.depth > found[shallow].touch.depth))) continue;
       }
       found[place].probe = i, found[place].touch = t;
       found[place].world = world - Real(p.radius) * t.normal;
       for (std::size_t k = 0; k < count; ++k)
-        if (found[k].touch.depth < found[shallow].touch.depth) shallow = k;
+        if (everywhere(found[k].touch.depth < found[shallow].touch.depth)) shallow = k;
     }
   }
 
@@ -163,6 +164,11 @@ private:
       // Of a point that can't move along the surface the speed is 0, and any impulse would do: none.
       for (std::size_t r = 1; r < 3; ++r) l.own[r] = l.own[r] + Real(1e-10 * give);
       for (std::size_t r = 0; r < 3; ++r) l.impulse[r] = dot(x.axes[r], last[x.probe]);
+      if constexpr (is_in_lanes<Real>) {  // what touches in another lane only gives no impulse in this one
+        const auto touches = x.touch.depth > Real(0.0);
+        l.bias = select(touches, l.bias, Real(-1e30));
+        for (Real& p : l.impulse) p = select(touches, p, Real(0.0));
+      }
     }
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t j = 0; j < k; ++j) {

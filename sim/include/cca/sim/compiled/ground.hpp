@@ -61,6 +61,14 @@ constexpr double plain(double x) { return x; }
 template <class Real>
 ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radius) {
   ground_touch<Real> best;
+  if constexpr (is_in_lanes<Real>) {  // each lane has strips of its own
+    for (int k = 0; k < Real::count; ++k) {
+      const auto one = touch_of(g, triple<double>{at[0][k], at[1][k], at[2][k]}, radius);
+      best.depth.set(k, one.depth);
+      for (std::size_t r = 0; r < 3; ++r) best.normal[r].set(k, one.normal[r]);
+    }
+    return best;
+  } else {
   best.depth = Real(-1.0);
   if (!g.exists) return best;
   const double x = plain(at[0]);
@@ -83,6 +91,7 @@ ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radi
     if (best.depth < t.depth) best = t;
   });
   return best;
+  }
 }
 
 }  // namespace cca::sim::detail

@@ -12,12 +12,27 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
 #include <cca/robots/description.hpp>
 #include <cca/robots/joint_law.hpp>
 #include <cca/sim/compiled/scalar.hpp>
 
 namespace cca::sim::detail {
+
+// A law of a joint: of each lane its own.
+template <class Real>
+struct law_in_lanes {
+  Real position{}, velocity{}, torque{}, stiffness{}, damping{};
+};
+template <class Real>
+using law_of = std::conditional_t<is_in_lanes<Real>, law_in_lanes<Real>, robots::joint_law>;
+// Whether it follows a position. Lanes do the same: what the first one does.
+template <class Law>
+constexpr bool is_law_of_position(const Law& law) {
+  if constexpr (requires { law.stiffness[0]; }) return law.stiffness[0] > 0;
+  else return law.stiffness > 0;
+}
 
 template <class Real>
 struct answer {
@@ -102,7 +117,7 @@ public:
 
   // It follows a law, within what its line leaves. One that winds a cable only pulls.
   constexpr motor_in_step(const robots::joint_drive& d,
-                          const robots::joint_law& law,
+                          const law_of<Real>& law,
                           const coordinate_in_step<Real>& c)
       : kind_(kind::law), only_pulls_(d.cable.stiffness > 0), most_(d.motor.torque) {
     wanted_ = soft_law<Real>{Real(law.position), Real(law.velocity), Real(law.torque), Real(law.stiffness),
