@@ -61,7 +61,12 @@ constexpr double plain(double x) { return x; }
 template <class Real>
 ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radius) {
   ground_touch<Real> best;
-  if constexpr (is_in_lanes<Real>) {  // each lane has strips of its own
+  if constexpr (is_in_lanes<Real>) {
+    if (g.profile.is_level()) {
+      best.depth = Real(radius) - (at[2] - Real(g.floor));
+      return best;
+    }
+    // Each lane has strips of its own.
     for (int k = 0; k < Real::count; ++k) {
       const auto one = touch_of(g, triple<double>{at[0][k], at[1][k], at[2][k]}, radius);
       best.depth.set(k, one.depth);

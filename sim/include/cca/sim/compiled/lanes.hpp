@@ -18,7 +18,7 @@ namespace cca::sim {
 template <int N>
 struct mask_of_lanes {
   using vector = std::int64_t __attribute__((vector_size(N * sizeof(std::int64_t))));
-  vector v{};  // -1 where it holds, else 0
+  vector v;  // -1 where it holds, else 0
 
   friend mask_of_lanes operator&(mask_of_lanes a, mask_of_lanes b) { return {a.v & b.v}; }
   friend mask_of_lanes operator|(mask_of_lanes a, mask_of_lanes b) { return {a.v | b.v}; }
@@ -31,7 +31,7 @@ struct lanes {
   using vector = double __attribute__((vector_size(N * sizeof(double))));
   using mask = mask_of_lanes<N>;
   static constexpr int count = N;
-  vector v{};
+  vector v;  // without a value, like a double
 
   constexpr lanes() = default;
   constexpr lanes(double x) : v(vector{} + x) {}  // in all lanes; -0 becomes 0
