@@ -23,7 +23,8 @@ namespace bench {
 using namespace compiled_test;
 
 void accelerations() {
-  const std::array all{worst_acceleration<limp_arm>(), worst_acceleration<flying_oncilla>(),
+  const std::array all{worst_acceleration<limp_arm>(),
+                       worst_acceleration<flying_oncilla>(),
                        worst_acceleration<alone<body_test::hound, true>>(),
                        worst_acceleration<alone<body_test::star_of_arms, true>>(),
                        worst_acceleration<alone<body_test::random_tree_body, true>>(),
@@ -44,8 +45,10 @@ sim::robot_world thrown_in_engine(int steps) {
 }
 void free_flight() {
   for (const auto& [steps, name] : {std::pair{2, "flight"}, {4, "flight, half the step"}}) {
-    figure((std::string("compiled ") + name).c_str(), largest_change_of_energy(thrown<flying_oncilla>(steps)));
-    figure((std::string("ode ") + name).c_str(), largest_change_of_energy(thrown_in_engine<flying_oncilla>(steps)));
+    figure((std::string("compiled ") + name).c_str(),
+           largest_change_of_energy(thrown<flying_oncilla>(steps)));
+    figure((std::string("ode ") + name).c_str(),
+           largest_change_of_energy(thrown_in_engine<flying_oncilla>(steps)));
   }
 }
 
@@ -78,11 +81,13 @@ void nods(World w, const std::string& engine) {
     most = std::max(most, std::abs(std::acos(axis.dot(way)) / angle - 1));
   }
   const double time = 5.2;
-  const Eigen::Vector3d right = Eigen::AngleAxisd(rate * time, way) * begin, axis = w.frame(-1).where.turn.col(2);
+  const Eigen::Vector3d right = Eigen::AngleAxisd(rate * time, way) * begin,
+                        axis = w.frame(-1).where.turn.col(2);
   const auto flat = [&](const Eigen::Vector3d& v) { return (v - v.dot(way) * way).normalized(); };
   const double behind = std::acos(std::clamp(flat(right).dot(flat(axis)), -1.0, 1.0));
   figure((engine + " nutation").c_str(), w.trouble() ? 1 : most);
-  figure((engine + " nutation, rate").c_str(), w.trouble() ? 1 : behind / (rate * time));  // up to whole turns
+  figure((engine + " nutation, rate").c_str(),
+         w.trouble() ? 1 : behind / (rate * time));  // up to whole turns
 }
 void disc_on_a_free_base() {
   sim::robot_world_settings weightless;

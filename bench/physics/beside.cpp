@@ -63,7 +63,9 @@ public:
 
   void place(const std::array<double, 16>& q, double height) {
     for (int i = 0; i < static_cast<int>(links.size()); ++i)
-      d->qpos[m->jnt_qposadr[joint_of(i)]] = links[static_cast<std::size_t>(i)].ratio * q[static_cast<std::size_t>(links[static_cast<std::size_t>(i)].coordinate)];
+      d->qpos[m->jnt_qposadr[joint_of(i)]] =
+          links[static_cast<std::size_t>(i)].ratio *
+          q[static_cast<std::size_t>(links[static_cast<std::size_t>(i)].coordinate)];
     d->qpos[2] = height;
     for (std::size_t c = 0; c < 16; ++c) winches_[c] = {.position = q[c]};
     mj_forward(m, d);
@@ -95,7 +97,9 @@ public:
     }
     return sum;
   }
-  int joint_of(int link) const { return mj_name2id(m, mjOBJ_JOINT, ("joint" + std::to_string(link)).c_str()); }
+  int joint_of(int link) const {
+    return mj_name2id(m, mjOBJ_JOINT, ("joint" + std::to_string(link)).c_str());
+  }
 
   static constexpr int steps = 2;
   static constexpr const auto& links = sim::detail::compiled_tree<walking>::described.links;
@@ -162,7 +166,8 @@ double run(World& w, const recorded_trot& t, Begin begin) {
   for (std::size_t k = 0; k < from; ++k) w.advance(t.beats[k]);
   const std::clock_t start = std::clock();
   for (std::size_t k = from; k < t.beats.size(); ++k) w.advance(t.beats[k]);
-  return 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / static_cast<double>(2 * (t.beats.size() - from));
+  return 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC /
+         static_cast<double>(2 * (t.beats.size() - from));
 }
 
 void time() {
@@ -172,7 +177,11 @@ void time() {
   sim::compiled_world<walking> c(level());
   sim::robot_world e(sim::model_of<walking>(), level());
 #ifdef BENCH_MUJOCO
-  constexpr std::array<std::array<const char*, 2>, 5> ways{{{"Newton", "pyramidal"}, {"Newton", "elliptic"}, {"CG", "pyramidal"}, {"CG", "elliptic"}, {"PGS", "pyramidal"}}};
+  constexpr std::array<std::array<const char*, 2>, 5> ways{{{"Newton", "pyramidal"},
+                                                            {"Newton", "elliptic"},
+                                                            {"CG", "pyramidal"},
+                                                            {"CG", "elliptic"},
+                                                            {"PGS", "pyramidal"}}};
   std::array<double, ways.size()> mujoco;
   mujoco.fill(1e9);
 #endif
@@ -183,14 +192,18 @@ void time() {
     for (std::size_t k = 0; k < ways.size(); ++k) {
       mujoco_world w(ways[k][0], ways[k][1]);
       mujoco[k] = std::min(mujoco[k], run(w, t, [&](auto& x) { x.place(t.start, t.height); }));
-      if (round == 0) std::fprintf(stderr, "MuJoCo, %s %s: after %zu beats at %.3f m, %.3f m high\n", ways[k][0], ways[k][1], t.beats.size(), w.forward(), w.height());
+      if (round == 0)
+        std::fprintf(stderr, "MuJoCo, %s %s: after %zu beats at %.3f m, %.3f m high\n", ways[k][0],
+                     ways[k][1], t.beats.size(), w.forward(), w.height());
     }
 #endif
   }
-  std::fprintf(stderr, "compiled at %.3f m, engine at %.3f m\n", c.frame(-1).where.at[0], e.frame(-1).where.at[0]);
+  std::fprintf(stderr, "compiled at %.3f m, engine at %.3f m\n", c.frame(-1).where.at[0],
+               e.frame(-1).where.at[0]);
   figure("compiled ns", compiled), figure("ode ns", ode);
 #ifdef BENCH_MUJOCO
-  for (std::size_t k = 0; k < ways.size(); ++k) figure((std::string("mujoco ") + ways[k][0] + " " + ways[k][1] + " ns").c_str(), mujoco[k]);
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    figure((std::string("mujoco ") + ways[k][0] + " " + ways[k][1] + " ns").c_str(), mujoco[k]);
 #else
   std::printf("MuJoCo is not installed (Debian: libmujoco-dev), so it is not timed\n");
 #endif

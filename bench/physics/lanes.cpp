@@ -1,10 +1,12 @@
-// Robots side by side in the lanes of a vector, beside one alone: the trot of the Oncilla, each with commands of its own time.
+// Robots side by side in the lanes of a vector, beside one alone: the trot of the Oncilla, each with commands
+// of its own time.
 //
 //   physics_lanes check         whether each lane has the bits of a world alone (without contraction), after a second
 //   physics_lanes time          ns for the step of a robot, alone and in lanes, in one run
 //   physics_lanes run LANES BEATS   for callgrind; LANES 1: a world alone; 0: nothing
 //
-// Compiled with -DBENCH_LANES=4 -mavx2 or -DBENCH_LANES=8 -mavx512f -mavx512dq -mavx512vl, and -ffp-contract=off.
+// Compiled with -DBENCH_LANES=4 -mavx2 or -DBENCH_LANES=8 -mavx512f -mavx512dq -mavx512vl, and
+// -ffp-contract=off.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -81,7 +83,8 @@ double ns_of(World& w, std::size_t beats, Advance advance) {
   for (std::size_t k = 0; k < first; ++k) advance(w, k);
   const std::clock_t start = std::clock();
   for (std::size_t k = first; k < beats; ++k) advance(w, k);
-  return 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / static_cast<double>(2 * (beats - first));
+  return 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC /
+         static_cast<double>(2 * (beats - first));
 }
 void time() {
   const recorded_trot t = trot_of(3);
@@ -120,6 +123,9 @@ int main(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
   if (what == "check") return bench::check();
   if (what == "time") return bench::time(), 0;
-  if (what == "run" && argc > 3) return bench::run(std::atoi(argv[2]), std::min<std::size_t>(3000, static_cast<std::size_t>(std::atoi(argv[3])))), 0;
+  if (what == "run" && argc > 3)
+    return bench::run(std::atoi(argv[2]),
+                      std::min<std::size_t>(3000, static_cast<std::size_t>(std::atoi(argv[3])))),
+           0;
   return std::fprintf(stderr, "usage: physics_lanes check | time | run LANES BEATS\n"), 2;
 }

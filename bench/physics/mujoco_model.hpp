@@ -3,11 +3,11 @@
 //
 //   mjcf_of<R>(step, solver, cone)   the model as MuJoCo's XML, on a floor at height 0
 //
-// Masses, inertias, places, axes, stops, shapes, springs and gains are those of the description. What MuJoCo has in another
-// way: a joint that follows another one is a joint of its own with a soft equality; a motor has a constant limit instead of
-// a falling line; a spring that only pulls is an actuator on a tendon; a contact is a spring and a damper per mass, here
-// for a quarter of the robot's mass, with the friction cone as pyramid or ellipse. A link without mass is merged into the
-// link that turns in the same place.
+// Masses, inertias, places, axes, stops, shapes, springs and gains are those of the description. What MuJoCo
+// has in another way: a joint that follows another one is a joint of its own with a soft equality; a motor
+// has a constant limit instead of a falling line; a spring that only pulls is an actuator on a tendon; a
+// contact is a spring and a damper per mass, here for a quarter of the robot's mass, with the friction cone
+// as pyramid or ellipse. A link without mass is merged into the link that turns in the same place.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -29,11 +29,14 @@ public:
     cca::sim::contact_numbers c;
     const double quarter = tree::mass / 4;
     char law[200];
-    std::snprintf(law, sizeof law, "condim='3' friction='%.9g 0 0' solref='%.9g %.9g'", c.friction, -c.stiffness / quarter, -c.damping / quarter);
+    std::snprintf(law, sizeof law, "condim='3' friction='%.9g 0 0' solref='%.9g %.9g'", c.friction,
+                  -c.stiffness / quarter, -c.damping / quarter);
     contact = law;
-    add("<mujoco><compiler angle='radian' autolimits='false' inertiafromgeom='false'/><size njmax='400' nconmax='80'/>\n"
+    add("<mujoco><compiler angle='radian' autolimits='false' inertiafromgeom='false'/><size njmax='400' "
+        "nconmax='80'/>\n"
         "<option timestep='%.9g' gravity='0 0 -9.81' solver='%s' cone='%s'/>\n<worldbody>"
-        "<geom type='plane' size='50 50 1' contype='0' conaffinity='1' %s/>\n<body name='base'><freejoint/>", step, solver, cone, law);
+        "<geom type='plane' size='50 50 1' contype='0' conaffinity='1' %s/>\n<body name='base'><freejoint/>",
+        step, solver, cone, law);
     inertial(tree::body::base);
     shapes(-1), sites(-1);
     for (int i = 0; i < count; ++i)
@@ -47,14 +50,16 @@ public:
       if (!(d.motor.torque > 0)) continue;
       const bool winds = d.cable.stiffness > 0;
       const double k = d.position_stiffness(), b = winds ? d.cable.damping : d.damping;
-      add("<general name='drive%zu' joint='%s' biastype='affine' gainprm='%.12g' biasprm='0 %.12g %.12g' forcelimited='true' forcerange='%.12g %.12g'/>\n",
+      add("<general name='drive%zu' joint='%s' biastype='affine' gainprm='%.12g' biasprm='0 %.12g %.12g' "
+          "forcelimited='true' forcerange='%.12g %.12g'/>\n",
           c, leader[c].c_str(), k, -k, -b, winds ? 0.0 : -d.motor.torque, d.motor.torque);
     }
     if constexpr (lines > 0)
       for (std::size_t i = 0; i < lines; ++i) {
         const auto& s = R::line_springs[i];
-        add("<general name='spring%zu' tendon='line%zu' biastype='affine' gainprm='0' biasprm='%.12g %.12g %.12g' forcelimited='true' forcerange='-1e9 %g'/>\n", i, i,
-            s.stiffness * s.rest, -s.stiffness, -s.damping, s.only_pulls ? 0.0 : 1e9);
+        add("<general name='spring%zu' tendon='line%zu' biastype='affine' gainprm='0' biasprm='%.12g %.12g "
+            "%.12g' forcelimited='true' forcerange='-1e9 %g'/>\n",
+            i, i, s.stiffness * s.rest, -s.stiffness, -s.damping, s.only_pulls ? 0.0 : 1e9);
       }
     text += "</actuator></mujoco>\n";
   }
@@ -75,8 +80,9 @@ private:
   }
   void inertial(const cca::link_inertia& i) {
     const auto& m = i.about_centre;
-    add("<inertial pos='%.15g %.15g %.15g' mass='%.15g' fullinertia='%.15g %.15g %.15g %.15g %.15g %.15g'/>\n", i.centre[0], i.centre[1], i.centre[2],
-        i.mass, m[0], m[1], m[2], m[3], m[4], m[5]);
+    add("<inertial pos='%.15g %.15g %.15g' mass='%.15g' fullinertia='%.15g %.15g %.15g %.15g %.15g "
+        "%.15g'/>\n",
+        i.centre[0], i.centre[1], i.centre[2], i.mass, m[0], m[1], m[2], m[3], m[4], m[5]);
   }
   void shapes(int of) {
     for (const auto& s : probes::shapes) {
@@ -84,9 +90,14 @@ private:
       const auto& [x, y, z] = s.where.translation;
       const auto& q = s.where.rotation;
       const auto& size = s.form.size;
-      const bool is_box = s.form.kind == cca::robots::shape_kind::box, is_capsule = s.form.kind == cca::robots::shape_kind::capsule;
-      add("<geom type='%s' pos='%.12g %.12g %.12g' quat='%.12g %.12g %.12g %.12g' size='%.12g %.12g %.12g' contype='1' conaffinity='0' %s/>\n",
-          is_box ? "box" : is_capsule ? "capsule" : "sphere", x, y, z, q[3], q[0], q[1], q[2], is_box ? size[0] / 2 : size[0],
+      const bool is_box = s.form.kind == cca::robots::shape_kind::box,
+                 is_capsule = s.form.kind == cca::robots::shape_kind::capsule;
+      add("<geom type='%s' pos='%.12g %.12g %.12g' quat='%.12g %.12g %.12g %.12g' size='%.12g %.12g %.12g' "
+          "contype='1' conaffinity='0' %s/>\n",
+          is_box       ? "box"
+          : is_capsule ? "capsule"
+                       : "sphere",
+          x, y, z, q[3], q[0], q[1], q[2], is_box ? size[0] / 2 : size[0],
           is_box || is_capsule ? size[1] / 2 : 0.0, is_box ? size[2] / 2 : 0.0, contact.c_str());
     }
   }
@@ -111,13 +122,19 @@ private:
     const char* kind = l.kind == cca::joint_kind::revolute ? "hinge" : "slide";
     add("<joint name='joint%d' type='%s' axis='%.12g %.12g %.12g'", i, kind, l.axis[0], l.axis[1], l.axis[2]);
     if (leader[c].empty()) {
-      if (l.ratio != 1 || l.rest != 0) std::fprintf(stderr, "mjcf: the first joint of coordinate %zu has a ratio or a rest\n", c), std::exit(1);
+      if (l.ratio != 1 || l.rest != 0)
+        std::fprintf(stderr, "mjcf: the first joint of coordinate %zu has a ratio or a rest\n", c),
+            std::exit(1);
       leader[c] = "joint" + std::to_string(i);
       add(" stiffness='%.12g' springref='%.12g' damping='%.12g'", d.spring, d.spring_rest, d.friction);
-      if (tree::ranges[c].exists()) add(" limited='true' range='%.12g %.12g' solreflimit='0.004 1'", tree::ranges[c].low, tree::ranges[c].high);
+      if (tree::ranges[c].exists())
+        add(" limited='true' range='%.12g %.12g' solreflimit='0.004 1'", tree::ranges[c].low,
+            tree::ranges[c].high);
     } else {
       char both[200];
-      std::snprintf(both, sizeof both, "<joint joint1='joint%d' joint2='%s' polycoef='%.12g %.12g 0 0 0' solref='0.002 1'/>\n", i, leader[c].c_str(), l.rest, l.ratio);
+      std::snprintf(both, sizeof both,
+                    "<joint joint1='joint%d' joint2='%s' polycoef='%.12g %.12g 0 0 0' solref='0.002 1'/>\n",
+                    i, leader[c].c_str(), l.rest, l.ratio);
       followers += both;
     }
     text += "/>\n";
@@ -125,7 +142,9 @@ private:
   void link(int i) {
     const auto& l = links[at(i)];
     add("<body name='link%d' pos='%.15g %.15g %.15g'", i, l.at[0], l.at[1], l.at[2]);
-    if (!l.straight) add(" xyaxes='%.15g %.15g %.15g %.15g %.15g %.15g'", l.turn[0], l.turn[1], l.turn[2], l.turn[3], l.turn[4], l.turn[5]);
+    if (!l.straight)
+      add(" xyaxes='%.15g %.15g %.15g %.15g %.15g %.15g'", l.turn[0], l.turn[1], l.turn[2], l.turn[3],
+          l.turn[4], l.turn[5]);
     text += ">\n";
     int last = i;
     joint(last);
@@ -134,7 +153,8 @@ private:
       for (int k = 0; k < count; ++k)
         if (links[at(k)].parent == last) next = k;
       const auto& n = links[at(next)];
-      if (next < 0 || !n.straight || n.at[0] != 0 || n.at[1] != 0 || n.at[2] != 0) std::fprintf(stderr, "mjcf: link %d has no mass\n", last), std::exit(1);
+      if (next < 0 || !n.straight || n.at[0] != 0 || n.at[1] != 0 || n.at[2] != 0)
+        std::fprintf(stderr, "mjcf: link %d has no mass\n", last), std::exit(1);
       last = next;
       joint(last);
     }

@@ -22,7 +22,9 @@ template <class R>
 auto holding() {
   std::array<sim::joint_law, R::drives.size()> laws;
   for (std::size_t c = 0; c < laws.size(); ++c)
-    laws[c] = {.position = R::start[c], .stiffness = R::drives[c].position_stiffness(), .damping = R::drives[c].damping};
+    laws[c] = {.position = R::start[c],
+               .stiffness = R::drives[c].position_stiffness(),
+               .damping = R::drives[c].damping};
   return laws;
 }
 inline sim::scene level() {
@@ -31,7 +33,9 @@ inline sim::scene level() {
   return s;
 }
 template <class R>
-sim::compiled_world<R> compiled_at(const cca::placement& base, const sim::scene& around, const sim::robot_world_settings& s = {}) {
+sim::compiled_world<R> compiled_at(const cca::placement& base,
+                                   const sim::scene& around,
+                                   const sim::robot_world_settings& s = {}) {
   sim::compiled_world<R> w(around, s);
   std::array<double, R::drives.size()> q{};
   if constexpr (requires { R::start; }) q = R::start;
@@ -39,7 +43,9 @@ sim::compiled_world<R> compiled_at(const cca::placement& base, const sim::scene&
   return w;
 }
 template <class R>
-sim::robot_world engine_at(const cca::placement& base, const sim::scene& around, const sim::robot_world_settings& s = {}) {
+sim::robot_world engine_at(const cca::placement& base,
+                           const sim::scene& around,
+                           const sim::robot_world_settings& s = {}) {
   sim::robot_world w(sim::model_of<R>(), around, s);
   std::array<double, R::drives.size()> q{}, still{};
   if constexpr (requires { R::start; }) q = R::start;
@@ -73,7 +79,8 @@ struct rotor_chain : cca::serial_chain<block_frame, rotor_frame, cca::axes<rotor
   static constexpr std::array links{cca::link_inertia{0.001, {}, {1e-6, 1e-6, 1e-6}}};
 };
 struct block_body : cca::body<block_frame, cca::part<"rotor", rotor_chain>> {
-  static constexpr cca::link_inertia base{2, {}, {2 * (0.01 + 0.0025) / 12, 2 * (0.01 + 0.0025) / 12, 2 * 0.02 / 12}};
+  static constexpr cca::link_inertia base{
+      2, {}, {2 * (0.01 + 0.0025) / 12, 2 * (0.01 + 0.0025) / 12, 2 * 0.02 / 12}};
 };
 struct block {
   using body = block_body;
@@ -98,7 +105,8 @@ std::array<double, 2> speeds_down(World w, double pitch, int first, int second) 
 }
 inline cca::placement on_slope_of(double pitch) {
   const double above = 0.025 - 0.0005 - 2.001 * 9.81 * std::cos(pitch) / 4 / 40e3;
-  return cca::at(-above * std::sin(pitch), 0, 10 * std::tan(pitch) + above * std::cos(pitch)) * cca::turned_about(cca::along_y, -pitch);
+  return cca::at(-above * std::sin(pitch), 0, 10 * std::tan(pitch) + above * std::cos(pitch)) *
+         cca::turned_about(cca::along_y, -pitch);
 }
 inline void block_on_a_slope() {
   constexpr double degree = 0.017453292519943295, friction = 0.75;
@@ -111,7 +119,8 @@ inline void block_on_a_slope() {
   for (const double degrees : {0.0, 20.0, 30.0, 36.0, 38.0, 45.0, 60.0}) {
     const double pitch = degrees * degree, wanted = 9.81 * (std::sin(pitch) - friction * std::cos(pitch));
     const auto judge = [&](auto world, std::size_t engine) {
-      const auto [from, to] = wanted > 0 ? speeds_down(std::move(world), pitch, 200, 300) : speeds_down(std::move(world), pitch, 3000, 1000);
+      const auto [from, to] = wanted > 0 ? speeds_down(std::move(world), pitch, 200, 300)
+                                         : speeds_down(std::move(world), pitch, 3000, 1000);
       if (wanted > 0) slides[engine] = std::max(slides[engine], std::abs((to - from) / 0.3 / wanted - 1));
       else creeps[engine] = std::max(creeps[engine], std::abs(to));
     };

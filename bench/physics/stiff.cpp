@@ -1,4 +1,5 @@
-// Strong gains and uneven masses in both engines: whether they stay in hand, and come to rest as the robot does by itself.
+// Strong gains and uneven masses in both engines: whether they stay in hand, and come to rest as the robot
+// does by itself.
 //
 //   physics_stiff
 #include <random>
@@ -55,7 +56,8 @@ struct heavy : oncilla_description {
   static constexpr auto drives = [] {
     auto all = oncilla_description::drives;
     for (auto& d : all) {
-      d.motor.torque *= heavier, d.stiffness *= heavier, d.damping *= heavier, d.spring *= heavier, d.friction *= heavier;
+      d.motor.torque *= heavier, d.stiffness *= heavier, d.damping *= heavier, d.spring *= heavier,
+          d.friction *= heavier;
       d.cable.stiffness *= heavier, d.cable.damping *= heavier;
     }
     return all;
@@ -80,11 +82,12 @@ struct weight_frame : cca::frame<"weight"> {};
 template <int I>
 struct swing : cca::dimension<"swing"> {};
 template <int Ratio>
-struct light_chain : cca::serial_chain<hook_frame,
-                                       weight_frame,
-                                       cca::axes<swing<0>, swing<1>, swing<2>, swing<3>, swing<4>, swing<5>>> {
+struct light_chain
+    : cca::serial_chain<hook_frame,
+                        weight_frame,
+                        cca::axes<swing<0>, swing<1>, swing<2>, swing<3>, swing<4>, swing<5>>> {
   static constexpr auto below = cca::at(0, 0, -0.1);
-  static constexpr std::array joints{cca::revolute(cca::along_y), cca::revolute(cca::along_x, below),
+  static constexpr std::array joints{cca::revolute(cca::along_y),        cca::revolute(cca::along_x, below),
                                      cca::revolute(cca::along_y, below), cca::revolute(cca::along_x, below),
                                      cca::revolute(cca::along_y, below), cca::revolute(cca::along_x, below)};
   static constexpr auto tip = cca::at(0, 0, -0.1);

@@ -85,7 +85,8 @@ void accuracy() {
 // FNV-1a.
 std::uint64_t hash_of(const void* from, std::size_t size) {
   std::uint64_t h = 14695981039346656037u;
-  for (std::size_t k = 0; k < size; ++k) h = (h ^ static_cast<const unsigned char*>(from)[k]) * 1099511628211u;
+  for (std::size_t k = 0; k < size; ++k)
+    h = (h ^ static_cast<const unsigned char*>(from)[k]) * 1099511628211u;
   return h;
 }
 void bits() {
@@ -114,7 +115,8 @@ int main(int argc, char** argv) {
     bench::accuracy();
   } else if (what == "bits") {
     bench::bits();
-  } else if (what == "run" && beats > 0 && beats <= 3000 && (engine == "compiled" || engine == "ode" || engine == "none")) {
+  } else if (what == "run" && beats > 0 && beats <= 3000 &&
+             (engine == "compiled" || engine == "ode" || engine == "none")) {
     const auto t = bench::trot_of(3);
     if (engine == "compiled") bench::run<bench::compiled>(t, beats);
     if (engine == "ode") bench::run<bench::ode>(t, beats);

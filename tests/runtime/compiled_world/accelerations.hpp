@@ -1,5 +1,6 @@
 #pragma once
-// The accelerations of a compiled world beside those of the library: the test and the table of docs/physics.md.
+// The accelerations of a compiled world beside those of the library: the test and the table of
+// docs/physics.md.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

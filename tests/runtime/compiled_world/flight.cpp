@@ -58,7 +58,8 @@ Real swung(const Real& speed) {
 
 TEST_SUITE("compiled world: flight") {
   TEST_CASE_TEMPLATE("energy stays, to the second order", R, flying_oncilla, limp_arm) {
-    const double whole = largest_change_of_energy(thrown<R>(2)), half = largest_change_of_energy(thrown<R>(4));
+    const double whole = largest_change_of_energy(thrown<R>(2)),
+                 half = largest_change_of_energy(thrown<R>(4));
     MESSAGE("J: ", whole, " in steps of 0.5 ms, ", half, " in steps of 0.25 ms");
     CHECK(half < 0.3 * whole);
     CHECK(half > 0.2 * whole);

@@ -30,10 +30,10 @@ struct contact_rounds {
 // Of one contact: normal, then two tangents.
 template <class Real>
 struct contact_law {
-  std::array<Real, 3> speed{};      // without any impulse
-  std::array<Real, 3> own{};        // speed for its own impulses: the diagonal
-  std::array<Real, 2> coupling{};   // of the normal with each tangent
-  Real across{};                    // of the tangents: 0 for a cone
+  std::array<Real, 3> speed{};     // without any impulse
+  std::array<Real, 3> own{};       // speed for its own impulses: the diagonal
+  std::array<Real, 2> coupling{};  // of the normal with each tangent
+  Real across{};                   // of the tangents: 0 for a cone
   bool is_cone = true;
   Real give{}, bias{}, friction{};  // m/s for N s; m/s
   std::array<Real, 3> impulse{};
@@ -84,7 +84,9 @@ private:
 
   // `sticks`: where it is not asked for, and leaves nothing.
   template <class Condition>
-  constexpr std::array<Real, 3> slipped(const std::array<Real, 3>& u, const Real& need, const Condition& sticks) {
+  constexpr std::array<Real, 3> slipped(const std::array<Real, 3>& u,
+                                        const Real& need,
+                                        const Condition& sticks) {
     const Real tiny(1e-100);
     Real n{}, s = impulse[1], t = impulse[2];
     for (int round = 0; round < contact_rounds::of_slip; ++round) {

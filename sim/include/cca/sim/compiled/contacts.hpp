@@ -45,7 +45,8 @@ class contacts_in_step {
 public:
   using tree = compiled_tree<R>;
   using probes = probes_of<R>;
-  static constexpr std::size_t most = is_in_lanes<Real> ? probes::count : std::min<std::size_t>(probes::count, 32),
+  static constexpr std::size_t most = is_in_lanes<Real> ? probes::count
+                                                        : std::min<std::size_t>(probes::count, 32),
                                longest = probes::longest;
   using impulses = std::array<triple<Real>, probes::count>;  // of the last step, in the world
 

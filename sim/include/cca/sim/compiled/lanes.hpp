@@ -1,4 +1,5 @@
-// Several worlds of one robot side by side, each in a lane of a vector: `compiled_world<R, cca::sim::lanes<4>>`.
+// Several worlds of one robot side by side, each in a lane of a vector: `compiled_world<R,
+// cca::sim::lanes<4>>`.
 //
 //   4    AVX2 (-mavx2); 8: AVX-512 (-mavx512f). With another number, or without these, it works, but slower
 //

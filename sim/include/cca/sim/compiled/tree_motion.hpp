@@ -2,8 +2,8 @@
 // step changes, and how positions follow velocities.
 //
 // A plain value. The base is placed in the world, and its velocities are along the world's axes: those of its
-// origin. Of a base that is held, they are zero. `change`: of the velocities in the last step, per second, and
-// in the one before.
+// origin. Of a base that is held, they are zero. `change`: of the velocities in the last step, per second,
+// and in the one before.
 #pragma once
 
 #include <array>

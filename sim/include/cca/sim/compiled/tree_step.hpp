@@ -70,8 +70,8 @@ public:
     m.drift(0.5 * h);
     base = m.frame();
     now.look(m.q);
-    // Where the last two changes lead. By the last one alone (half of it) what swings by gyroscopic forces would
-    // gain in each step.
+    // Where the last two changes lead. By the last one alone (half of it) what swings by gyroscopic forces
+    // would gain in each step.
     const Real last(h * 2 / 3), sooner(h / 6);
     const auto &a = m.change, &b = m.change_before;
     coordinates speeds;
