@@ -16,7 +16,7 @@
 #include <vector>
 
 #include <cca/sim/compiled/compiled_world.hpp>
-#include <cca/sim/compiled/lanes.hpp>
+#include <cca/sim/compiled/lanes/lanes.hpp>
 
 #include "commands_of_trot.hpp"
 #include "figures.hpp"

@@ -32,6 +32,7 @@
 #define CCA_SANITIZED 0
 #endif
 
+#include <cstdint>
 #include <utility>
 
 namespace cca::detail {
@@ -98,6 +99,10 @@ inline constexpr int lane_count = 4;
 inline constexpr int lane_count = 2;
 #endif
 using lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+template <int N>
+using some_lanes = double __attribute__((vector_size(N * sizeof(double))));
+template <int N>
+using mask_of_some_lanes = std::int64_t __attribute__((vector_size(N * sizeof(std::int64_t))));
 
 // Both halves of a vector.
 template <class Lanes, int... I>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include <cca/sim/compiled/lanes.hpp>
+#include <cca/sim/compiled/lanes/lanes.hpp>
 
 #include "robots.hpp"
 

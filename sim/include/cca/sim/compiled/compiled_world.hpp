@@ -100,7 +100,7 @@ public:
     if (state_.trouble) return;
     const state_type before = state_;
     auto& d = state_.drives;
-    take(laws, d.laws);
+    detail::take_laws(laws, d.laws);
     for (std::size_t c = 0; c < n; ++c) {
       d.pulleys[c].wanted = Real(1 / beat) * (Real(d.laws[c].position) - d.pulleys[c].wound);
       state_.joints[c].torque = Real(0.0);
@@ -318,23 +318,6 @@ private:
     if (tree::floats && !detail::is_none(state_.push))
       links::add_wrench(now.now.places, -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state_.push), {},
                         now.now.forces);
-  }
-
-  static void take(std::span<const joint_law> from, std::array<joint_law, n>& to) {
-    for (std::size_t c = 0; c < std::min(from.size(), n); ++c)
-      if (from[c].is_finite()) to[c] = from[c];
-  }
-  template <class Laws>  // of each lane; those of lane l begin at l n, if there are more than n
-  static void take(std::span<const joint_law> from, Laws& to) {
-    for (std::size_t l = 0; l < static_cast<std::size_t>(Real::count); ++l)
-      for (std::size_t c = 0; c < std::min(from.size(), n); ++c) {
-        const std::size_t at = from.size() > n ? l * n + c : c;
-        if (at >= from.size() || !from[at].is_finite()) continue;
-        const auto set = [&](Real& x, double y) { x.set(static_cast<int>(l), y); };
-        set(to[c].position, from[at].position), set(to[c].velocity, from[at].velocity);
-        set(to[c].torque, from[at].torque), set(to[c].stiffness, from[at].stiffness);
-        set(to[c].damping, from[at].damping);
-      }
   }
 
   static bool finite(const Real& x) {

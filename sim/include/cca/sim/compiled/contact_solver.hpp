@@ -27,6 +27,12 @@ struct contact_rounds {
   static constexpr double flat = 1e-13;  // of the pyramid: what its last round changes
 };
 
+// The deepest count; in lanes, which have different ones, all.
+template <class Real>
+constexpr std::size_t most_contacts(std::size_t probes) {
+  return is_in_lanes<Real> || probes < 32 ? probes : 32;
+}
+
 // Of one contact: normal, then two tangents.
 template <class Real>
 struct contact_law {
@@ -37,6 +43,17 @@ struct contact_law {
   bool is_cone = true;
   Real give{}, bias{}, friction{};  // m/s for N s; m/s
   std::array<Real, 3> impulse{};
+
+  // Of a pyramid: normal, tangents, normal with each tangent, both tangents.
+  constexpr void take(const Real (&g)[6]) {
+    own = {g[0], g[1], g[2]}, coupling = {g[3], g[4]}, across = g[5];
+  }
+  // A contact in some lanes gives no impulse in the others.
+  template <class Condition>
+  constexpr void only_where(const Condition& touches) {
+    bias = select(touches, bias, Real(-1e30));
+    for (Real& p : impulse) p = select(touches, p, Real(0.0));
+  }
 
   // Once for a step.
   constexpr void begin() {

@@ -7,7 +7,6 @@
 // is for `most` contacts; of more the deepest count. Impulses of the last step are the first guess.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -45,9 +44,7 @@ class contacts_in_step {
 public:
   using tree = compiled_tree<R>;
   using probes = probes_of<R>;
-  static constexpr std::size_t most = is_in_lanes<Real> ? probes::count
-                                                        : std::min<std::size_t>(probes::count, 32),
-                               longest = probes::longest;
+  static constexpr std::size_t most = most_contacts<Real>(probes::count), longest = probes::longest;
   using impulses = std::array<triple<Real>, probes::count>;  // of the last step, in the world
 
   std::size_t count = 0;
@@ -165,11 +162,7 @@ private:
       // Of a point that can't move along the surface the speed is 0, and any impulse would do: none.
       for (std::size_t r = 1; r < 3; ++r) l.own[r] = l.own[r] + Real(1e-10 * give);
       for (std::size_t r = 0; r < 3; ++r) l.impulse[r] = dot(x.axes[r], last[x.probe]);
-      if constexpr (is_in_lanes<Real>) {  // what touches in another lane only gives no impulse in this one
-        const auto touches = x.touch.depth > Real(0.0);
-        l.bias = select(touches, l.bias, Real(-1e30));
-        for (Real& p : l.impulse) p = select(touches, p, Real(0.0));
-      }
+      if constexpr (is_in_lanes<Real>) l.only_where(x.touch.depth > Real(0.0));
     }
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t j = 0; j < k; ++j) {
@@ -290,10 +283,7 @@ private:
       g[0] = g[0] + a * a, g[1] = g[1] + b * b, g[2] = g[2] + c * c;
       g[3] = g[3] + a * b, g[4] = g[4] + a * c, g[5] = g[5] + b * c;
     }
-    if (!l.is_cone) {
-      l.own = {g[0], g[1], g[2]}, l.coupling = {g[3], g[4]}, l.across = g[5];
-      return;
-    }
+    if (!l.is_cone) return l.take(g);
     const Real d = g[2] - g[1], twice = g[5] + g[5], size = larger(d, -d);
     const Real sign = select(d < Real(0.0), Real(-1.0), Real(1.0));
     const Real t = sign * twice / (size + root(larger(d * d + twice * twice, Real(1e-200))));

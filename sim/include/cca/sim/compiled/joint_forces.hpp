@@ -12,27 +12,13 @@
 #pragma once
 
 #include <limits>
-#include <type_traits>
 
 #include <cca/robots/description.hpp>
 #include <cca/robots/joint_law.hpp>
+#include <cca/sim/compiled/lanes/laws_in_lanes.hpp>
 #include <cca/sim/compiled/scalar.hpp>
 
 namespace cca::sim::detail {
-
-// A law of a joint: of each lane its own.
-template <class Real>
-struct law_in_lanes {
-  Real position{}, velocity{}, torque{}, stiffness{}, damping{};
-};
-template <class Real>
-using law_of = std::conditional_t<is_in_lanes<Real>, law_in_lanes<Real>, robots::joint_law>;
-// Whether it follows a position. Lanes do the same: what the first one does.
-template <class Law>
-constexpr bool is_law_of_position(const Law& law) {
-  if constexpr (requires { law.stiffness[0]; }) return law.stiffness[0] > 0;
-  else return law.stiffness > 0;
-}
 
 template <class Real>
 struct answer {

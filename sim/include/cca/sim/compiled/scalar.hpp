@@ -13,7 +13,7 @@
 
 namespace cca::sim::detail {
 
-// Whether a scalar is a number for each of several worlds (lanes.hpp).
+// Whether a scalar is a number for each of several worlds (lanes/lanes.hpp).
 template <class Real>
 inline constexpr bool is_in_lanes = false;
 

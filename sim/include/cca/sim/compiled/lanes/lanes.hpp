@@ -7,8 +7,7 @@
 // (-ffp-contract=off): what a lane does not need any more is computed and not taken. A lane is x[k].
 #pragma once
 
-#include <cstdint>
-
+#include <cca/base/compiler.hpp>
 #include <cca/base/math/angles.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/sim/compiled/scalar.hpp>
@@ -18,7 +17,7 @@ namespace cca::sim {
 // What holds in which lane.
 template <int N>
 struct mask_of_lanes {
-  using vector = std::int64_t __attribute__((vector_size(N * sizeof(std::int64_t))));
+  using vector = cca::detail::mask_of_some_lanes<N>;
   vector v;  // -1 where it holds, else 0
 
   friend mask_of_lanes operator&(mask_of_lanes a, mask_of_lanes b) { return {a.v & b.v}; }
@@ -29,7 +28,7 @@ struct mask_of_lanes {
 
 template <int N>
 struct lanes {
-  using vector = double __attribute__((vector_size(N * sizeof(double))));
+  using vector = cca::detail::some_lanes<N>;
   using mask = mask_of_lanes<N>;
   static constexpr int count = N;
   vector v;  // without a value, like a double
