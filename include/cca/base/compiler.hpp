@@ -99,10 +99,12 @@ inline constexpr int lane_count = 4;
 inline constexpr int lane_count = 2;
 #endif
 using lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+// A number of lanes that a template states. g++ 12 loses the attribute in `using`.
 template <int N>
-using some_lanes = double __attribute__((vector_size(N * sizeof(double))));
-template <int N>
-using mask_of_some_lanes = std::int64_t __attribute__((vector_size(N * sizeof(std::int64_t))));
+struct some_lanes {
+  typedef double vector __attribute__((vector_size(N * sizeof(double))));      // NOLINT(modernize-use-using)
+  typedef std::int64_t mask __attribute__((vector_size(N * sizeof(double))));  // NOLINT(modernize-use-using)
+};
 
 // Both halves of a vector.
 template <class Lanes, int... I>

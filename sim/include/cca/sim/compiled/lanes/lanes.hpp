@@ -17,7 +17,7 @@ namespace cca::sim {
 // What holds in which lane.
 template <int N>
 struct mask_of_lanes {
-  using vector = cca::detail::mask_of_some_lanes<N>;
+  using vector = typename cca::detail::some_lanes<N>::mask;
   vector v;  // -1 where it holds, else 0
 
   friend mask_of_lanes operator&(mask_of_lanes a, mask_of_lanes b) { return {a.v & b.v}; }
@@ -28,7 +28,7 @@ struct mask_of_lanes {
 
 template <int N>
 struct lanes {
-  using vector = cca::detail::some_lanes<N>;
+  using vector = typename cca::detail::some_lanes<N>::vector;
   using mask = mask_of_lanes<N>;
   static constexpr int count = N;
   vector v;  // without a value, like a double
