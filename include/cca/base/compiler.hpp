@@ -32,6 +32,7 @@
 #define CCA_SANITIZED 0
 #endif
 
+#include <cstdint>
 #include <utility>
 
 namespace cca::detail {
@@ -98,6 +99,12 @@ inline constexpr int lane_count = 4;
 inline constexpr int lane_count = 2;
 #endif
 using lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+// A number of lanes that a template states. g++ 12 loses the attribute in `using`.
+template <int N>
+struct some_lanes {
+  typedef double vector __attribute__((vector_size(N * sizeof(double))));      // NOLINT(modernize-use-using)
+  typedef std::int64_t mask __attribute__((vector_size(N * sizeof(double))));  // NOLINT(modernize-use-using)
+};
 
 // Both halves of a vector.
 template <class Lanes, int... I>

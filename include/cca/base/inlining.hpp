@@ -103,7 +103,7 @@ CCA_INLINE void call_simplified(const Arguments&... arguments) {
 }
 #else
 template <auto Function>
-consteval auto simplified_first() {
+constexpr auto simplified_first() {
   return Function;
 }
 template <auto* Function, class... Arguments>

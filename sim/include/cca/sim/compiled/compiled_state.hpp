@@ -40,8 +40,8 @@ struct compiled_state {
   std::array<drive_condition, n> conditions{};
   std::array<pull_on_end<Real>, tree::described.ends.size()> pulls{};
   std::array<Real, 3> push{};
-  detail::kept_impulses<Real> impulses{};  // of the last step's contacts
-  detail::motion_around<Real> around{};    // boxes and balls
+  typename detail::contacts_in_step<R, Real>::impulses impulses{};  // of the last step's contacts
+  detail::motion_around<Real> around{};                             // boxes and balls
   std::array<std::array<Real, 6>, detail::load_parts<R>.size()> loads{};
   std::array<std::array<Real, 3>, tree::described.ends.size()> end_forces{};
   std::array<robots::inertial_reading, detail::inertial_places<R>.size()> inertial{};

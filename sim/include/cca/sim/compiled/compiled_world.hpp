@@ -62,6 +62,7 @@ class compiled_world {
   using vector3 = detail::triple<Real>;
   using given = detail::given_vector<Real>;
   static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
+  static constexpr bool has_shapes = detail::probes_of<R>::shape_count > 0;
 
 public:
   using state_type = compiled_state<R, Real>;
@@ -69,7 +70,7 @@ public:
 
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
       : settings_((check(settings), settings)),
-        around_(detail::surroundings_of(around, settings.engine, detail::probes_of<R>::shape_count > 0)),
+        around_(detail::surroundings_of<Real>(around, settings.engine, has_shapes)),
         built_(settings.body) {
     model();  // its numbers are checked
     state_.around.begin(around);
@@ -102,8 +103,7 @@ public:
     if (state_.trouble) return;
     const state_type before = state_;
     auto& d = state_.drives;
-    for (std::size_t c = 0; c < std::min(laws.size(), n); ++c)
-      if (laws[c].is_finite()) d.laws[c] = laws[c];
+    detail::take_laws(laws, d.laws);
     for (std::size_t c = 0; c < n; ++c) {
       d.pulleys[c].wanted = Real(1 / beat) * (Real(d.laws[c].position) - d.pulleys[c].wound);
       state_.joints[c].torque = Real(0.0);
@@ -130,14 +130,14 @@ public:
   // At the end of a part, along the world's axes, until they are set again; what is not finite is ignored.
   void pull(std::size_t part, const given& force, const given& torque = {}) {
     auto& kept = state_.pulls[numbered(part, state_.pulls.size(), "part")];
-    take(kept.force, force);
-    take(kept.torque, torque);
+    detail::take_finite(kept.force, force);
+    detail::take_finite(kept.torque, torque);
   }
   void pull(std::string_view part, const given& force, const given& torque = {}) {
     pull(index_of(model().names.ends, part, "part"), force, torque);
   }
   // A force on the centre of mass of a base that floats, along the world's axes, until it is set again.
-  void push(const given& force) { take(state_.push, force); }
+  void push(const given& force) { detail::take_finite(state_.push, force); }
   // As the plan says, where it says something else than at the last call.
   void follow(const push_plan& plan) {
     const std::array<double, 3> now = plan.force_at(time());
@@ -156,7 +156,7 @@ public:
   const compiled_reading<Real>& joint(std::string_view name) const {
     return state_.joints[index_of(model().names.joints, name, "joint")];
   }
-  const std::array<joint_law, n>& laws() const { return state_.drives.laws; }
+  const auto& laws() const { return state_.drives.laws; }
 
   // The torque about the sensor's origin, then the force of the ground, along the sensor's axes: means.
   const std::array<Real, 6>& load(std::size_t sensor) const {
@@ -226,7 +226,9 @@ public:
   }
 
   // Accounts since the start: of a shape, of those at the end of a part, of those on the base; of the motors.
-  const contact_account& contact(std::size_t shape) const {
+  const contact_account& contact(std::size_t shape) const
+    requires(!detail::is_in_lanes<Real>)
+  {
     return state_.contacts[numbered(shape, state_.contacts.size(), "shape of the robot")];
   }
   contact_account contact_at_end(std::size_t part) const {
@@ -267,9 +269,10 @@ private:
            const vector3& velocity) {
     need_place(base, "the base of the robot");
     bool is_finite = true;
-    for (std::size_t c = 0; c < n; ++c) is_finite = is_finite && finite(q[c]) && finite(dq[c]);
+    for (std::size_t c = 0; c < n; ++c)
+      is_finite = is_finite && detail::is_finite(q[c]) && detail::is_finite(dq[c]);
     for (std::size_t k = 0; k < 3; ++k)
-      is_finite = is_finite && finite(angular_velocity[k]) && finite(velocity[k]);
+      is_finite = is_finite && detail::is_finite(angular_velocity[k]) && detail::is_finite(velocity[k]);
     if (!is_finite) throw std::invalid_argument("cca::sim::compiled_world: a place is not finite");
     state_.impulses = {};
     auto& m = state_.motion;
@@ -297,14 +300,14 @@ private:
     detail::pull_and_push<R>(state_, now);
     now.solve(m, state_.drives);
     bool touches = false;
-    if constexpr (detail::probes_of<R>::shape_count > 0) {
+    if constexpr (has_shapes) {
       touches = around_.more() || (detail::probes_of<R>::count > 0 && around_.under.exists);
       if (touches) touch(now, h, after);
     }
     if (!touches) now.end(m, state_.drives, now.change);
     detail::account_motors<R>(state_, h, Real(h / beat));
     state_.trouble = detail::trouble_of<R>(m, settings_.plausible, h);
-    if constexpr (detail::probes_of<R>::shape_count > 0)
+    if constexpr (has_shapes && !detail::is_in_lanes<Real>)
       if (around_.balls.count > 0 && !state_.trouble)
         state_.trouble = state_.around.trouble(around_, settings_.plausible, h);
   }
@@ -312,10 +315,12 @@ private:
   void touch(step_type& now, double h, double after) {
     detail::contacts_in_step<R, Real> contacts;
     const auto without = now.change;
-    if (!around_.more()) contacts.solve(now, state_.motion, around_, state_.impulses, h);
-    else
-      contacts.solve_with_more(now, state_.motion, around_, state_.around, state_.impulses, h, after,
-                               settings_.engine.gravity);
+    bool has_more = false;
+    if constexpr (!detail::is_in_lanes<Real>)
+      if (has_more = around_.more(); has_more)
+        contacts.solve_with_more(now, state_.motion, around_, state_.around, state_.impulses, h, after,
+                                 settings_.engine.gravity);
+    if (!has_more) contacts.solve(now, state_.motion, around_, state_.impulses, h);
     now.end(state_.motion, state_.drives, detail::lasting(without, now.change));
     for (contact_account& a : state_.contacts) a.begin_step();
     contacts.each(h, [&](const auto& c) {
@@ -323,12 +328,6 @@ private:
       detail::feel<R>(now, c, Real(h / beat), state_);
       detail::add_to(state_.contacts[static_cast<std::size_t>(c.shape)], c, h);
     });
-  }
-
-  static bool finite(const Real& x) { return detail::everywhere(x - x == Real(0.0)); }
-  static void take(std::array<Real, 3>& kept, const given& wanted) {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (finite(wanted.numbers[k])) kept[k] = wanted.numbers[k];
   }
 
   robot_world_settings settings_;

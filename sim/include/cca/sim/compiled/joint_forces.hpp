@@ -15,6 +15,7 @@
 
 #include <cca/robots/description.hpp>
 #include <cca/robots/joint_law.hpp>
+#include <cca/sim/compiled/lanes/laws_in_lanes.hpp>
 #include <cca/sim/compiled/scalar.hpp>
 
 namespace cca::sim::detail {
@@ -102,7 +103,7 @@ public:
 
   // It follows a law, within what its line leaves. One that winds a cable only pulls.
   constexpr motor_in_step(const robots::joint_drive& d,
-                          const robots::joint_law& law,
+                          const law_of<Real>& law,
                           const coordinate_in_step<Real>& c)
       : kind_(kind::law), only_pulls_(d.cable.stiffness > 0), most_(d.motor.torque) {
     wanted_ = soft_law<Real>{Real(law.position), Real(law.velocity), Real(law.torque), Real(law.stiffness),

@@ -13,6 +13,10 @@
 
 namespace cca::sim::detail {
 
+// Whether a scalar is a number for each of several worlds (lanes/lanes.hpp).
+template <class Real>
+inline constexpr bool is_in_lanes = false;
+
 constexpr double select(bool condition, double yes, double no) { return condition ? yes : no; }
 constexpr bool everywhere(bool condition) { return condition; }
 constexpr double root(double x) { return cca::math::sqrt(x); }
@@ -21,6 +25,8 @@ constexpr double root(double x) { return cca::math::sqrt(x); }
 template <class Real>
 constexpr bool is_none(const std::array<Real, 3>& v) {
   if constexpr (std::is_same_v<Real, double>) return v[0] == 0 && v[1] == 0 && v[2] == 0;
+  else if constexpr (is_in_lanes<Real>)
+    return everywhere((v[0] == Real(0.0)) & (v[1] == Real(0.0)) & (v[2] == Real(0.0)));
   else return false;
 }
 

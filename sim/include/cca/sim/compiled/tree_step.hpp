@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 #include <cca/robots/joint_law.hpp>
 #include <cca/sim/compiled/built/built_robot.hpp>
@@ -42,7 +43,7 @@ struct pulley {
 template <class R, class Real>
 struct tree_drives {
   static constexpr auto n = static_cast<std::size_t>(compiled_tree<R>::coordinates);
-  std::array<robots::joint_law, n> laws{};
+  std::array<law_of<Real>, n> laws{};
   std::array<pulley<Real>, n> pulleys{};
   std::array<Real, n> torque{};
 };
@@ -90,6 +91,8 @@ public:
     const auto free_entries = now.mass.entry;
     vector guess{};
     for (std::size_t c = 0; c < n; ++c) guess[row(c)] = Real(h) * m.change.joints[c];
+    auto done = Real(1.0) < Real(0.0);
+    [[maybe_unused]] std::conditional_t<is_in_lanes<Real>, solution, none> kept;
     for (rounds = 1;; ++rounds) {
       change = now.forces;
       for (std::size_t c = 0; c < n; ++c) {
@@ -106,7 +109,12 @@ public:
       for (std::size_t i = 0; i < tree::lines.size(); ++i) take(i, guess);
       for (Real& x : change) x = Real(h) * x;
       limb_solution<R, Real>::factor_and_solve(now.mass, change);
-      if (rounds == most_rounds || holds(guess)) break;
+      const auto fits = holds(guess);
+      if constexpr (is_in_lanes<Real>)  // a lane that was done stays
+        if (rounds > 1) kept.give(done, change, now.mass);
+      done = done | fits;
+      if (rounds == most_rounds || everywhere(done)) break;
+      if constexpr (is_in_lanes<Real>) kept = {change, now.mass};
       guess = change;
       now.mass.entry = free_entries;
     }
@@ -136,6 +144,21 @@ public:
   constexpr Real pull_of_line(std::size_t i) const { return lines[i].at(growth_of(i, change)).force; }
 
 private:
+  // Of a round: what lanes keep that are done.
+  struct none {};
+  struct solution {
+    vector change{};
+    branch_matrix<tree::branches, Real> mass{};
+    void give(const auto& done, vector& to, branch_matrix<tree::branches, Real>& factor) const {
+      for (std::size_t k = 0; k < to.size(); ++k) {
+        to[k] = select(done, change[k], to[k]);
+        factor.inverse[k] = select(done, mass.inverse[k], factor.inverse[k]);
+      }
+      for (std::size_t k = 0; k < factor.entry.size(); ++k)
+        factor.entry[k] = select(done, mass.entry[k], factor.entry[k]);
+    }
+  };
+
   static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
   static constexpr std::size_t row(std::size_t c) {
     return static_cast<std::size_t>(tree::branches.row[tree::base + c]);
@@ -144,10 +167,10 @@ private:
   constexpr void prepare(const motion& m, tree_drives<R, Real>& drives) {
     for (std::size_t c = 0; c < n; ++c) {
       const robots::joint_drive& d = built->drives[c];
-      const robots::joint_law& law = drives.laws[c];
+      const law_of<Real>& law = drives.laws[c];
       joint_in_step<Real>& j = joints[c];
       j.now = {h, m.q[c], m.dq[c], now.mass.diagonal(row(c))};
-      const bool winds = d.cable.stiffness > 0, holds = law.stiffness > 0;
+      const bool winds = d.cable.stiffness > 0, holds = is_law_of_position(law);
       pulley<Real>& p = drives.pulleys[c];
       if (winds && holds) p.wind(d.motor, h);
       else if (winds) p.wound = m.q[c] + Real(0.5 * h) * m.dq[c], p.speed = m.dq[c];
@@ -199,11 +222,11 @@ private:
   }
 
   // Whether the forces at the change are those of the pieces that were taken.
-  constexpr bool holds(const vector& guess) const {
-    bool all = true;
+  constexpr auto holds(const vector& guess) const {
+    auto all = Real(0.0) < Real(1.0);
     const auto check = [&](const answer<Real>& was, const Real& is, const Real& way) {
       const Real off = is - (was.force - was.slope * way), size = Real(1.0) + is * is;
-      all = all && everywhere(off * off <= Real(1e-18) * size);
+      all = all & (off * off <= Real(1e-18) * size);
     };
     for (std::size_t c = 0; c < n; ++c) {
       const Real& dv = change[row(c)];

@@ -57,28 +57,42 @@ constexpr double plain(double x) { return x; }
 template <class Real>
 ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radius) {
   ground_touch<Real> best;
-  best.depth = Real(-1.0);
-  if (!g.exists) return best;
-  const double x = plain(at[0]);
-  g.profile.strips_between(x - radius, x + radius, [&](const ground_strip& s) {
-    const bool is_level = s.pitch == 0;
-    const double c = is_level ? 1 : math::cos(s.pitch), n = is_level ? 0 : math::sin(s.pitch);
-    // In the plane of x and z, from the strip's edge: along it, and above it.
-    const Real dx = at[0] - Real(s.edge_x), dz = at[2] - Real(g.floor + s.edge_z);
-    const Real along = Real(c) * dx + Real(n) * dz, above = Real(c) * dz - Real(n) * dx;
-    const double begin = (s.begin - s.edge_x) / c, end = (s.end - s.edge_x) / c;
-    const Real beyond = larger(along - Real(end), Real(0.0)) + smaller(along - Real(begin), Real(0.0));
-    ground_touch<Real> t;
-    if (plain(beyond) == 0 || !(plain(above) > 0)) {
-      t = {Real(radius) - above, {Real(-n), Real(0.0), Real(c)}};
-      if (plain(beyond) != 0) return;  // below, and beside
-    } else {
-      const Real far = root(beyond * beyond + above * above), u = beyond / far, v = above / far;
-      t = {Real(radius) - far, {Real(c) * u - Real(n) * v, Real(0.0), Real(n) * u + Real(c) * v}};
+  if constexpr (is_in_lanes<Real>) {
+    if (g.profile.is_level()) {
+      best.depth = Real(radius) - (at[2] - Real(g.floor));
+      return best;
     }
-    if (best.depth < t.depth) best = t;
-  });
-  return best;
+    // Each lane has strips of its own.
+    for (int k = 0; k < Real::count; ++k) {
+      const auto one = touch_of(g, triple<double>{at[0][k], at[1][k], at[2][k]}, radius);
+      best.depth.set(k, one.depth);
+      for (std::size_t r = 0; r < 3; ++r) best.normal[r].set(k, one.normal[r]);
+    }
+    return best;
+  } else {
+    best.depth = Real(-1.0);
+    if (!g.exists) return best;
+    const double x = plain(at[0]);
+    g.profile.strips_between(x - radius, x + radius, [&](const ground_strip& s) {
+      const bool is_level = s.pitch == 0;
+      const double c = is_level ? 1 : math::cos(s.pitch), n = is_level ? 0 : math::sin(s.pitch);
+      // In the plane of x and z, from the strip's edge: along it, and above it.
+      const Real dx = at[0] - Real(s.edge_x), dz = at[2] - Real(g.floor + s.edge_z);
+      const Real along = Real(c) * dx + Real(n) * dz, above = Real(c) * dz - Real(n) * dx;
+      const double begin = (s.begin - s.edge_x) / c, end = (s.end - s.edge_x) / c;
+      const Real beyond = larger(along - Real(end), Real(0.0)) + smaller(along - Real(begin), Real(0.0));
+      ground_touch<Real> t;
+      if (plain(beyond) == 0 || !(plain(above) > 0)) {
+        t = {Real(radius) - above, {Real(-n), Real(0.0), Real(c)}};
+        if (plain(beyond) != 0) return;  // below, and beside
+      } else {
+        const Real far = root(beyond * beyond + above * above), u = beyond / far, v = above / far;
+        t = {Real(radius) - far, {Real(c) * u - Real(n) * v, Real(0.0), Real(n) * u + Real(c) * v}};
+      }
+      if (best.depth < t.depth) best = t;
+    });
+    return best;
+  }
 }
 
 }  // namespace cca::sim::detail

@@ -25,7 +25,13 @@ struct surroundings {
 };
 
 // Throws std::invalid_argument for what no world can have, and for what this one has not.
-inline surroundings surroundings_of(const scene& around, const engine_settings& settings, bool has_shapes) {
+template <class Real>
+surroundings surroundings_of(const scene& around, const engine_settings& settings, bool has_shapes) {
+  if (is_in_lanes<Real> && !(around.boxes.empty() && around.balls.empty()))
+    throw std::invalid_argument(
+        "cca::sim::compiled_world: worlds in lanes have no boxes and no balls; leave them out of the scene, "
+        "or "
+        "make the worlds one by one");
   if (!has_shapes && !around.balls.empty())
     throw std::invalid_argument(
         "cca::sim::compiled_world: the robot has no shapes, so nothing of it touches the balls of the "

@@ -117,10 +117,7 @@ struct contact_on_branch {
       g[0] = g[0] + a * a, g[1] = g[1] + b * b, g[2] = g[2] + c * c;
       g[3] = g[3] + a * b, g[4] = g[4] + a * c, g[5] = g[5] + b * c;
     }
-    if (!l.is_cone) {
-      l.own = {g[0], g[1], g[2]}, l.coupling = {g[3], g[4]}, l.across = g[5];
-      return;
-    }
+    if (!l.is_cone) return l.take(g);
     const Real d = g[2] - g[1], twice = g[5] + g[5], size = larger(d, -d);
     const Real sign = select(d < Real(0.0), Real(-1.0), Real(1.0));
     const Real t = sign * twice / (size + root(larger(d * d + twice * twice, Real(1e-200))));

@@ -28,6 +28,12 @@ struct contact_rounds {
   static constexpr double flat = 1e-13;  // of the pyramid: what its last round changes
 };
 
+// The deepest count; in lanes, which have different ones, all.
+template <class Real>
+constexpr std::size_t most_contacts(std::size_t probes) {
+  return is_in_lanes<Real> || probes < 32 ? probes : 32;
+}
+
 // Of one contact: normal, then two tangents.
 template <class Real>
 struct contact_law {
@@ -38,6 +44,17 @@ struct contact_law {
   bool is_cone = true;
   Real give{}, bias{}, friction{};  // m/s for N s; m/s
   std::array<Real, 3> impulse{};
+
+  // Of a pyramid: normal, tangents, normal with each tangent, both tangents.
+  constexpr void take(const Real (&g)[6]) {
+    own = {g[0], g[1], g[2]}, coupling = {g[3], g[4]}, across = g[5];
+  }
+  // A contact in some lanes gives no impulse in the others.
+  template <class Condition>
+  constexpr void only_where(const Condition& touches) {
+    bias = select(touches, bias, Real(-1e30));
+    for (Real& p : impulse) p = select(touches, p, Real(0.0));
+  }
 
   // Once for a step.
   constexpr void begin() {
@@ -57,7 +74,7 @@ struct contact_law {
     const auto presses = n > Real(0.0), holds = s * s + t * t <= most * most;
     const auto sticks = presses & holds;
     if (everywhere(sticks)) return {n, s, t};
-    const auto slipping = slipped(u, need);
+    const auto slipping = slipped(u, need, sticks);
     return {select(sticks, n, slipping[0]), select(sticks, s, slipping[1]), select(sticks, t, slipping[2])};
   }
 
@@ -65,14 +82,16 @@ private:
   // One number after the other, each within its bounds.
   constexpr std::array<Real, 3> on_pyramid(const std::array<Real, 3>& u, const Real& need) const {
     auto [n, s, t] = impulse;
+    auto done = n < n;
     for (int round = 0; round < contact_rounds::of_pyramid; ++round) {
       const Real a = n, b = s, c = t;
-      n = larger((need - coupling[0] * s - coupling[1] * t) * ease[0], Real(0.0));
+      n = select(done, n, larger((need - coupling[0] * s - coupling[1] * t) * ease[0], Real(0.0)));
       const Real most = friction * n;
-      s = between(-most, -((u[1] + coupling[0] * n + across * t) * ease[1]), most);
-      t = between(-most, -((u[2] + coupling[1] * n + across * s) * ease[2]), most);
+      s = select(done, s, between(-most, -((u[1] + coupling[0] * n + across * t) * ease[1]), most));
+      t = select(done, t, between(-most, -((u[2] + coupling[1] * n + across * s) * ease[2]), most));
       const Real off = larger(larger(n - a, a - n), larger(larger(s - b, b - s), larger(t - c, c - t)));
-      if (everywhere(off <= Real(contact_rounds::flat) * n)) break;
+      done = done | (off <= Real(contact_rounds::flat) * n);
+      if (everywhere(done)) break;
     }
     return {n, s, t};
   }
@@ -81,23 +100,29 @@ private:
   std::array<Real, 2> tied{};  // coupling / own
   Real over{}, shift{};        // shift: of the circle, in the last round
 
-  constexpr std::array<Real, 3> slipped(const std::array<Real, 3>& u, const Real& need) {
+  // `sticks`: where it is not asked for, and leaves nothing.
+  template <class Condition>
+  constexpr std::array<Real, 3> slipped(const std::array<Real, 3>& u,
+                                        const Real& need,
+                                        const Condition& sticks) {
     const Real tiny(1e-100);
     Real n{}, s = impulse[1], t = impulse[2];
     for (int round = 0; round < contact_rounds::of_slip; ++round) {
       n = larger((need - coupling[0] * s - coupling[1] * t) * ease[0], Real(0.0));
       const Real cs = u[1] + coupling[0] * n, ct = u[2] + coupling[1] * n, most = friction * n;
       Real size{};
+      Condition done = sticks;
       for (int k = 0;; ++k) {
         const Real is = Real(1.0) / (own[1] + shift), it = Real(1.0) / (own[2] + shift);
-        s = -(cs * is), t = -(ct * it);
+        s = select(done, s, -(cs * is)), t = select(done, t, -(ct * it));
         const Real square = s * s + t * t;
-        size = root(larger(square, tiny));
+        size = select(done, size, root(larger(square, tiny)));
         const Real off = size - most;
-        const bool is_round = k > 0 && everywhere(off * off <= Real(contact_rounds::round) * most * most);
-        if (is_round || k == contact_rounds::of_newton) break;
+        if (k > 0) done = done | (off * off <= Real(contact_rounds::round) * most * most);
+        if (everywhere(done) || k == contact_rounds::of_newton) break;
         const Real falls = s * s * is + t * t * it;
-        shift = larger(shift + square / larger(falls, tiny) * (off / larger(most, Real(1e-30))), Real(0.0));
+        const Real next = shift + square / larger(falls, tiny) * (off / larger(most, Real(1e-30)));
+        shift = select(done, shift, larger(next, Real(0.0)));
       }
       const Real keep = select(size > most, most / size, Real(1.0));
       s = s * keep, t = t * keep;
@@ -116,6 +141,7 @@ constexpr void solve_contacts(slots<contact_law<Real>, Most>& all,
                               std::size_t count,
                               const std::array<std::array<contact_block<Real>, Most>, Most>& meeting) {
   for (std::size_t k = 0; k < count; ++k) all[k].begin();
+  auto done = Real(1.0) < Real(0.0);
   for (int round = 1;; ++round) {
     Real change{};
     for (std::size_t k = 0; k < count; ++k) {
@@ -135,9 +161,10 @@ constexpr void solve_contacts(slots<contact_law<Real>, Most>& all,
         const Real off = (found[r] - x.impulse[r]) * x.own[r];
         change = larger(change, larger(off, -off));
       }
-      x.impulse = found;
+      for (std::size_t r = 0; r < 3; ++r) x.impulse[r] = select(done, x.impulse[r], found[r]);
     }
-    if (round == contact_rounds::most || everywhere(change <= Real(contact_rounds::settled))) return;
+    done = done | (change <= Real(contact_rounds::settled));
+    if (round == contact_rounds::most || everywhere(done)) return;
   }
 }
 

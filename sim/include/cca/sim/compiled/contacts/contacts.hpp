@@ -29,13 +29,11 @@ struct contact_force {
 };
 
 // The impulses of a step's contacts, for the next step; `key`: touches.hpp.
-template <class Real>
+template <class Real, std::size_t Most>
 struct kept_impulses {
-  static constexpr std::size_t most = 32;
-
   std::size_t count = 0;
-  std::array<int, most> keys{};
-  std::array<triple<Real>, most> impulses{};  // in the world, N s
+  std::array<int, Most> keys{};
+  std::array<triple<Real>, Most> impulses{};  // in the world, N s
 
   // Contacts mostly stay in their order, so `near` is the first place to look.
   constexpr triple<Real> of(int key, std::size_t near) const {
@@ -68,13 +66,11 @@ public:
   using motion = tree_motion<Real, tree::coordinates, tree::floats>;
   static constexpr std::size_t most = touches::most;
   using contact = contact_on_branch<R, Real>;
+  using impulses = kept_impulses<Real, most>;
 
   // The change of the step becomes that with contacts. `last`: takes the impulses.
-  void solve(tree_step<R, Real>& step,
-             const motion& m,
-             const surroundings& around,
-             kept_impulses<Real>& last,
-             double h) {
+  void solve(
+      tree_step<R, Real>& step, const motion& m, const surroundings& around, impulses& last, double h) {
     found.find(step, around.under);
     if (found.count > 0) {
       prepare(step, m, around, last, h);
@@ -89,7 +85,7 @@ public:
                        const motion& m,
                        const surroundings& around,
                        motion_around<Real>& moving,
-                       kept_impulses<Real>& last,
+                       impulses& last,
                        double h,
                        double after,
                        double gravity) {
@@ -136,7 +132,7 @@ private:
     const auto& axes = contacts[k].axes;
     return p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2];
   }
-  void keep(kept_impulses<Real>& last) const {
+  void keep(impulses& last) const {
     last.count = found.count;
     for (std::size_t k = 0; k < found.count; ++k)
       last.keys[k] = found.all[k].key, last.impulses[k] = impulse(k);
@@ -231,7 +227,7 @@ private:
   void prepare(const tree_step<R, Real>& step,
                const motion& m,
                const surroundings& around,
-               const kept_impulses<Real>& last,
+               const impulses& last,
                double h,
                See see = {}) {
     const ground& under = around.under;
@@ -268,6 +264,7 @@ private:
       for (std::size_t r = 1; r < 3; ++r) l.own[r] = l.own[r] + Real(1e-10 * give);
       const triple<Real> before = last.of(t.key, k);
       for (std::size_t r = 0; r < 3; ++r) l.impulse[r] = dot(x.axes[r], before);
+      if constexpr (is_in_lanes<Real>) l.only_where(t.depth > Real(0.0));
     }
     for (std::size_t k = 0; k < found.count; ++k)
       for (std::size_t j = 0; j < k; ++j) {

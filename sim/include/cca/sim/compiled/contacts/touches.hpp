@@ -11,6 +11,7 @@
 
 #include <cca/sim/compiled/around/box_on_box.hpp>
 #include <cca/sim/compiled/around/surroundings.hpp>
+#include <cca/sim/compiled/contacts/contact_solver.hpp>
 #include <cca/sim/compiled/contacts/slots.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/probes.hpp>
@@ -41,7 +42,7 @@ public:
   using probes = probes_of<R>;
   using step_type = tree_step<R, Real>;
   using one = touch_in_step<Real>;
-  static constexpr std::size_t most = 32;
+  static constexpr std::size_t most = is_in_lanes<Real> ? most_contacts<Real>(probes::count) : 32;
   static constexpr probe nothing{.link = -1, .shape = -1, .tip = 0, .at = {}, .radius = 0};
 
   std::size_t count = 0;
@@ -83,12 +84,12 @@ private:
   // The place for a touch of this depth; null: there are `most` deeper ones.
   one* room_for(const Real& depth) {
     if (count < most) return &all.make(count++);
-    return depth > all[shallow].depth ? &all[shallow] : nullptr;
+    return everywhere(!(depth > all[shallow].depth)) ? nullptr : &all[shallow];
   }
   void look_for_shallow() {
     if (count < most) return;
     for (std::size_t k = 0; k < count; ++k)
-      if (all[k].depth < all[shallow].depth) shallow = k;
+      if (everywhere(all[k].depth < all[shallow].depth)) shallow = k;
   }
   void add(const one& t) {
     one* const place = room_for(t.depth);
@@ -121,7 +122,7 @@ private:
       const triple<Real> at = on_links<R, Real>::point(step.now.places, p.link, p.at),
                          world = step.base.at + step.base.direction(at);
       const ground_touch<Real> t = touch_of(under, world, p.radius);
-      if (!(t.depth > Real(0.0))) continue;
+      if (everywhere(!(t.depth > Real(0.0)))) continue;
       one* const place = room_for(t.depth);
       if (!place) continue;
       place->of = &p, place->key = static_cast<int>(i);

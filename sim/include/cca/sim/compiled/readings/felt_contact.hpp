@@ -11,10 +11,11 @@
 
 namespace cca::sim::detail {
 
-// Accounts are plain numbers: of a scalar with more than a number (ground.hpp), that number.
+// Accounts are plain numbers: of a scalar with more than a number (ground.hpp), that number. Lanes have none.
 template <class Real>
 void add_to(contact_account& a, const contact_force<Real>& c, double step) {
-  a.add(plain(larger(dot(c.force, c.normal), Real(0.0))), plain(c.speed), plain(c.lost), step);
+  if constexpr (!is_in_lanes<Real>)
+    a.add(plain(larger(dot(c.force, c.normal), Real(0.0))), plain(c.speed), plain(c.lost), step);
 }
 
 // `share`: of the step in the beat.
