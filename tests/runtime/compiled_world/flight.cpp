@@ -73,6 +73,13 @@ TEST_SUITE("compiled world: flight") {
     CHECK(half < 0.3 * whole);
   }
 
+  TEST_CASE("the axis of a disc that spins fast nods as a top does, and no more") {
+    const nutation n = nutation_of(spinning_disc());
+    MESSAGE("relative error of the angle: ", n.error, ", of the rate: ", n.error_of_rate);
+    CHECK(n.error < 1e-3);
+    CHECK(n.error_of_rate < 2e-3);
+  }
+
   TEST_CASE("copy, save and restore go on bit for bit, and nothing allocates") {
     auto w = thrown<flying_oncilla>(2);
     for (int i = 0; i < 50; ++i) w.advance({});

@@ -65,6 +65,19 @@ TEST_SUITE("compiled world: touching") {
     }
   }
 
+  TEST_CASE("a pyramid, if it is asked for, brakes more between its edges") {
+    sim::scene ground = hill_of(0, 0.5);
+    ground.contact.pyramid = true;
+    for (const double way : {0.0, 0.785398163397448}) {
+      sim::compiled_world<sledge> w(ground);
+      const cca::placement place = on_hill(0);
+      w.place({0}, {0}, place, {}, {2 * std::cos(way), 2 * std::sin(way), 0});
+      for (int i = 0; i < 100; ++i) w.advance({});
+      const double times = way > 0 ? std::sqrt(2.0) : 1;
+      CHECK(speed(w) == doctest::Approx(2 - times * 0.1 * 0.5 * gravity).epsilon(2e-3));
+    }
+  }
+
   TEST_CASE("an Oncilla stands at rest, and its feet carry its weight") {
     sim::compiled_world<walking> w(flat());
     w.place(walking::start, {}, put_down(0.2), {}, {});
