@@ -3,7 +3,7 @@
 of docs/physics.md.
 
     physics.py                 everything (half an hour on two cores); builds the programs of bench/physics with clang 19 and g++
-    physics.py --only trot     one part: accuracy, stiff, trot, bits, instructions, beside, lanes, compile; the others keep
+    physics.py --only trot     one part: accuracy, stiff, trot, bits, instructions, beside, lanes, rows, compile; the others keep
                                their figures in bench/physics.json; several: --only trot --only bits
     physics.py --page          only the table, from bench/physics.json
 
@@ -99,6 +99,11 @@ def lanes(work):
     return found
 
 
+def rows(work):
+    """Steps a second of robots of several sizes."""
+    return read(build(work, "clang++-19", "rows", ["rows"]))
+
+
 def compile_time(work):
     """Processor time of a file with a world of the Oncilla and its `advance`, g++ -O2, s: the least of three."""
     source = work / "one.cpp"
@@ -120,10 +125,10 @@ def short(x):
 
 
 def table(all_figures):
-    rows = []
+    lines = []
 
     def row(what, compiled, engine, bound, goal):
-        rows.append(f"| {what} | {compiled} | {engine} | {bound} | {goal} |")
+        lines.append(f"| {what} | {compiled} | {engine} | {bound} | {goal} |")
 
     f = {name: part["data"] for name, part in all_figures.items()}
     if "instructions" in f:
@@ -171,11 +176,17 @@ def table(all_figures):
         row("bits of each lane, beside a world alone", "the same" if not any(x["lanes differ"] for x in f["lanes"].values()) else "DIFFERENT", "", "the same", "the same")
     if "compile" in f:
         row("processor time to compile a world, g++ `-O2`, s", f"{f['compile']['seconds']:.1f}", "", "8", "5")
-    return "\n".join(["| | compiled | engine | bound | goal |", "|---|---|---|---|---|", *rows])
+    if "rows" in f:
+        r = f["rows"]
+        joined = lambda names: ", ".join(f"{r[name] / 1000:,.0f}" for name in names)
+        row("thousand steps a second, clang `-O2`: Oncilla that stands, arm of 7 joints, humanoid of 30 joints in the air", joined(("Oncilla", "arm", "humanoid")), "", "", "")
+        row("chains of 4, 8, 12, 16, 24 joints (above 16 in loops)", joined(f"chain of {n}" for n in (4, 8, 12, 16, 24)), "", "", "")
+        row("a sledge on 4, 8, 16, 24 feet", joined(f"feet {n}" for n in (4, 8, 16, 24)), "", "", "")
+    return "\n".join(["| | compiled | engine | bound | goal |", "|---|---|---|---|---|", *lines])
 
 
 def main():
-    parts = {"accuracy": accuracy, "stiff": stiff, "trot": trot, "bits": bits, "instructions": instructions, "beside": beside, "lanes": lanes, "compile": compile_time}
+    parts = {"accuracy": accuracy, "stiff": stiff, "trot": trot, "bits": bits, "instructions": instructions, "beside": beside, "lanes": lanes, "rows": rows, "compile": compile_time}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--page", action="store_true")
