@@ -26,11 +26,11 @@ class mjcf {
 
 public:
   mjcf(double step, const char* solver, const char* cone) {
-    cca::sim::contact_numbers c;
+    cca::sim::contact_numbers ground;
     const double quarter = tree::mass / 4;
     char law[200];
-    std::snprintf(law, sizeof law, "condim='3' friction='%.9g 0 0' solref='%.9g %.9g'", c.friction,
-                  -c.stiffness / quarter, -c.damping / quarter);
+    std::snprintf(law, sizeof law, "condim='3' friction='%.9g 0 0' solref='%.9g %.9g'", ground.friction,
+                  -ground.stiffness / quarter, -ground.damping / quarter);
     contact = law;
     add("<mujoco><compiler angle='radian' autolimits='false' inertiafromgeom='false'/><size njmax='400' "
         "nconmax='80'/>\n"

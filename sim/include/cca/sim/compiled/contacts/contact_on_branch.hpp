@@ -156,7 +156,7 @@ private:
     std::array<bool, longest + 1> is{};
     for (const probe& p : probes::all)
       if (p.tip >= 0)
-        is[static_cast<std::size_t>(tree::branches.depth[static_cast<std::size_t>(p.tip)] + 1)] = true;
+        is[static_cast<std::size_t>(tree::branches.depth[static_cast<std::size_t>(p.tip)]) + 1] = true;
     return is;
   }();
 

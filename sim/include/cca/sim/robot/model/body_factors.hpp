@@ -25,8 +25,8 @@ struct body_factors {
   constexpr body_factors() { mass.fill(1), length.fill(1); }
 
   // -1: the base. Throws std::out_of_range.
-  constexpr double& mass_of(int link) { return mass.at(static_cast<std::size_t>(link + 1)); }
-  constexpr double& length_of(int link) { return length.at(static_cast<std::size_t>(link + 1)); }
+  constexpr double& mass_of(int link) { return mass.at(place(link)); }
+  constexpr double& length_of(int link) { return length.at(place(link)); }
 
   constexpr double mass_factor(int link) const { return factor(mass, link); }
   constexpr double length_factor(int link) const { return factor(length, link); }
@@ -37,8 +37,9 @@ struct body_factors {
   }
 
 private:
+  static constexpr std::size_t place(int link) { return static_cast<std::size_t>(link) + 1; }  // -1: 0
   static constexpr double factor(const std::array<double, most + 1>& of, int link) {
-    const auto i = static_cast<std::size_t>(link + 1);
+    const std::size_t i = place(link);
     return i < of.size() ? of[i] : 1;
   }
 };
