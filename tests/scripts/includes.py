@@ -23,8 +23,8 @@ APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", 
 # Headers directly in cca/, and the folders that each may include from.
 TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"], "trace.hpp": ["graph", "trace"]} | {
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
-OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"], "record": ["record"], "mpi": ["mpi", "sim"]}  # and from the core
-ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record", "mpi/include": "mpi"}
+OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"], "record": ["record"], "door": ["door", "record"], "mpi": ["mpi", "sim"]}  # and from the core
+ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record", "door/include": "door", "mpi/include": "mpi"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
 # Rooms: each includes only from those before it. "." is what stands directly in the folder, but for the headers that are rooms by
 # themselves: few others need them, or they stand for a folder. Every folder with folders of headers is listed, with all of them.

@@ -1,0 +1,26 @@
+// How a door is opened.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cca {
+
+// What a program does when the connection is lost of the client that holds the right to command.
+enum class when_lost { go_on, hold, stop };  // hold: a pause; stop: the run ends
+
+struct door_settings {
+  std::uint16_t port = 8765;  // 0: any that is free; `door.port()` tells
+  std::string address = "127.0.0.1";
+  // What a client must know to change anything. Empty: made at random, and printed with the address. A file
+  // must belong to this user, with mode 600.
+  std::string token{}, token_file{};
+  std::vector<std::string> origins{};  // pages of other addresses that may connect: `https://lab.example`
+  when_lost on_lost = when_lost::go_on;
+  int most_clients = 32;
+  bool tells_where = true;  // prints the address and the token at start
+  std::string page{};       // an HTML file that is served at `/`; empty: the page that is compiled in, if any
+};
+
+}  // namespace cca
