@@ -74,7 +74,8 @@ struct given_value {
 // A number, true or false, a text (of a choice, or a number with its unit), or several numbers.
 template <class Value>
 given_value given_value_of(const Value& value) {
-  if constexpr (std::same_as<Value, bool>) return {.what = kind::boolean, .integer = value};
+  if constexpr (std::same_as<Value, given_value>) return value;
+  else if constexpr (std::same_as<Value, bool>) return {.what = kind::boolean, .integer = value};
   else if constexpr (std::integral<Value>)
     return {.what = kind::integer, .integer = static_cast<std::int64_t>(value)};
   else if constexpr (std::floating_point<Value>)

@@ -80,7 +80,8 @@ CCA_MAIN_INLINE void command_line::value(std::string_view option,
     } catch (const std::invalid_argument& wrong) { throw command_line_error(wrong.what()); }
     if (is_file) files.emplace_back(name, text);
   };
-  app->add_option_function<std::string>(name_in(option), given);
+  auto* const added = app->add_option_function<std::string>(name_in(option), given);
+  if (option.find(" [") != option.npos) added->expected(0, 1);
   describe(option, help);
 }
 

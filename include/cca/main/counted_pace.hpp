@@ -2,6 +2,7 @@
 // deployment keeps of its environments.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -13,6 +14,7 @@ namespace cca::detail {
 
 struct counted_beats {
   environment_figures figures{};
+  std::atomic<std::int64_t> lost_periods{0};
   std::int64_t begun = 0;
 
   void begin(std::int64_t due) {

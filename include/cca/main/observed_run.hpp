@@ -32,6 +32,7 @@ namespace cca {
 struct run_files {
   std::string record{}, page{}, trace{};
   std::vector<std::string> record_scopes{};  // all ports, if empty
+  bool door = false;                         // others look on, also where nothing is recorded
 };
 
 enum class opening { at_once, later };
@@ -77,7 +78,7 @@ public:
     const std::string twice =
         complaint_of_one_file({{"--record", named.record}, {"--page", named.page}, {"--trace", named.trace}});
     if (!twice.empty()) throw refused(called + ": " + twice);
-    if (!named.record.empty() || !named.page.empty()) {
+    if (!named.record.empty() || !named.page.empty() || named.door) {
       if constexpr (can_record) {
         if (!named.page.empty()) page_.emplace(named.page, named.record);
         recorder_.emplace(controller, recording_file(), named.record_scopes, waits);
@@ -91,12 +92,22 @@ public:
   // With opening::later, before the first beat.
   void open() {
     if constexpr (can_record)
-      if (recorder_) set_aside(recording_file()), recorder_->open();
+      if (recorder_) {
+        if (!recording_file().empty()) set_aside(recording_file());
+        recorder_->open();
+      }
     if constexpr (can_trace)
       if (!named.trace.empty()) {
         set_aside(named.trace);
         tracer_.emplace(*of, named.trace, trace_settings{.name = called, .waits = may_wait});
       }
+  }
+
+  // For a door: there is one if something is recorded, or `door` was asked for.
+  auto& recorder()
+    requires can_record
+  {
+    return recorder_->recorder;
   }
 
   // What was found beside the files, a sentence for each: parts of runs that crashed.

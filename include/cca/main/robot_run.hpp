@@ -18,10 +18,12 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/base/separate/compiled.hpp>
+#include <cca/base/separate/function_ref.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/main/counted_pace.hpp>
 #include <cca/main/descriptions.hpp>
 #include <cca/main/observed_run.hpp>
+#include <cca/main/program_door.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_commands.hpp>
 #include <cca/main/run_program.hpp>
@@ -70,6 +72,23 @@ std::string told_of_fault(std::int64_t period,
                           const fault_of_run& fault,
                           const std::vector<std::string>& waits_for);
 
+// A program without a door.
+template <class Controller>
+struct no_door {
+  bool look(Controller&) const { return true; }
+  bool look_at_rest(Controller&) const { return true; }
+  void run_ended(Controller&) const {}
+  bool ends_run() const { return false; }
+};
+template <class Controller>
+struct door_of {
+  using type = no_door<Controller>;
+};
+template <HasDoor Controller>
+struct door_of<Controller> {
+  using type = program_door<Controller>;
+};
+
 template <class Program>
 class robot_run {
   using controller_type = typename Program::controller_type;
@@ -98,6 +117,8 @@ public:
     look.open();  // all that is read has been accepted
     for (const std::string& note : look.found()) tell(note);
     look.note(program.settings.notes);
+    const at_the_end closed{[this] { opened.reset(); }};  // before what it shows
+    open_door(c, look);
     is_to_stop = true;
     const std::int64_t first = c.beat_index();
     const auto give_up = [&] {
@@ -106,9 +127,12 @@ public:
       if (!has_run) look.discard();
     };
     try {
-      c.start();
-      program.started(c);
-      run(c, interrupted);
+      if (gives_beat()) typed.emplace(program.control, called, program.settings.commands);
+      if (wait_to_go_on(c, interrupted)) {
+        c.start();
+        program.started(c);
+        run(c, interrupted);
+      }
     } catch (const refused&) {
       give_up();
       if (!interrupted) throw;
@@ -151,19 +175,53 @@ private:
 
   run_files files() const {
     const run_settings& s = program.settings;
-    return {s.record, s.page, s.trace, s.record_scopes};
+    return {s.record, s.page, s.trace, s.record_scopes, s.door.has_value()};
+  }
+  void open_door(controller_type& c, [[maybe_unused]] observed_run<controller_type>& look) {
+    if (!program.settings.door) return;
+    if constexpr (HasDoor<controller_type>)
+      opened.emplace(c, program.control, look.recorder(), program.settings, program.offers, called,
+                     [this, &c](std::int64_t overruns) { return figures_of(c, overruns); });
+    else throw refused(called + ": this program has no door: see docs/door.md");
+  }
+  // With --paused: the robot idles until somebody tells it to go on. False: it was told to end.
+  bool wait_to_go_on(controller_type& c, const interruption& interrupted) {
+    if (!program.settings.paused) return true;
+    program.control.pause();
+    tell("waits to be told to go on");
+    while (program.control.is_pause_wanted()) {
+      if (interrupted || (opened && !opened->look_at_rest(c))) return false;
+      c.step();  // it is not started: its robot idles
+      monotonic_clock::sleep_until(monotonic_clock::now() + std::max(controller_type::period(), shortest_nap));
+    }
+    return true;
   }
 
-  // A signal also ends a run that waits for other processes to begin.
+  // A signal also ends a run that waits for other processes to begin. Where there is a door, each environment
+  // looks through it after its beats.
+  using door_type = typename door_of<controller_type>::type;
   template <class AfterBeat>
   struct until_signal {
-    const AfterBeat& after_beat;
+    const AfterBeat& after_beat_of_program;
     const interruption& signals;
     run_control& controlled;
-    bool operator()(controller_type& c) const { return after_beat(c); }
+    door_type* door;
+    bool operator()(controller_type& c) const {
+      const bool goes_on = after_beat_of_program(c);
+      return (!door || door->look(c)) && goes_on;
+    }
+    template <int Environment>
+    void after_beat(controller_type& c) const
+      requires requires(door_type& of) { of.template after_beat<Environment>(c); }
+    {
+      if (door) door->template after_beat<Environment>(c);
+    }
     bool is_over() const { return signals.is_over(); }
     run_control& control() const { return controlled; }
-    bool while_paused(controller_type&) const { return !signals; }
+    bool while_paused(controller_type& c) const { return (!door || door->look(c)) && !signals; }
+    void run_ended(controller_type& c) const {
+      if (door) door->run_ended(c);
+    }
   };
 
   void run(controller_type& c, const interruption& interrupted) {
@@ -176,17 +234,17 @@ private:
     bool goes_on = true;
     const auto after_beat = [&](controller_type& running) {
       if constexpr (!is_deployed)
-        if (s.speed) beats.end();
+        if (s.speed) beats.end(), beats.lost_periods.store(running.lost_periods(), std::memory_order_relaxed);
       return goes_on = program.between(running) && !interrupted;
     };
-    const until_signal<decltype(after_beat)> between{after_beat, interrupted, program.control};
-    if (gives_beat()) typed.emplace(program.control, called, s.commands);
+    const until_signal<decltype(after_beat)> between{after_beat, interrupted, program.control,
+                                                     opened ? &*opened : nullptr};
     std::optional<told_meanwhile> told;
     if constexpr (is_deployed) tell_faults_of(c, interrupted, told);
     if constexpr (!is_deployed) c.run(length, counted_pace(s.speed, beats), between);
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
-    const bool is_over = !goes_on || c.state() == state::faulted || c.beat_index() - first >= length.count;
+    const bool is_over = !goes_on || (opened && opened->ends_run()) || c.state() == state::faulted || c.beat_index() - first >= length.count;
     if (!is_over) ended_by_others = "another process has ended the run " + at(c);
   }
 
@@ -230,13 +288,16 @@ private:
   }
 
   std::vector<environment_figures> figures_of(const controller_type& c) {
+    return figures_of(c, c.overruns());
+  }
+  std::vector<environment_figures> figures_of(const controller_type& c, [[maybe_unused]] std::int64_t overruns) {
     if constexpr (is_deployed) {
       return c.figures();
     } else {
       environment_figures one = beats.figures;
       one.name = called;
-      one.overruns = c.overruns();
-      one.lost_periods = c.lost_periods();
+      one.overruns = overruns;
+      one.lost_periods = beats.lost_periods.load(std::memory_order_relaxed);
       return {one};
     }
   }
@@ -245,6 +306,8 @@ private:
   std::string called, ended_by_others{}, unconfirmed{};
   bool is_to_stop = false;
   counted_beats beats{};
+  std::optional<door_type> opened{};
+  static constexpr std::int64_t shortest_nap = 1'000'000;  // ns
   std::optional<run_commands> typed{};  // its thread ends when all is written: a robot does not wait for it
 };
 

@@ -1,6 +1,7 @@
 // How a program runs its robot: what the standard options say.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,11 @@ struct run_settings {
   std::string page{};                          // an HTML file with the recording; empty: none (docs/page.md)
   std::string replay{};                        // a recording to replay, instead of a run
   std::string trace{};                         // a file for a trace; empty: none (docs/traces.md)
+  std::optional<std::uint16_t> door{};         // a port that other programs may connect to (docs/door.md)
+  std::string door_address{};                  // empty: this machine only
+  std::string door_token{};                    // a file with what a client must know to change anything
+  std::string on_lost = "go-on";               // what the run does when who commands is gone: go-on, hold, stop
+  bool paused = false;                         // waits for `go on` before its first beat
   std::map<std::string, std::string> notes{};  // for the recording: a seed, a version
 };
 

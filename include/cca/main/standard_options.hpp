@@ -9,6 +9,7 @@
 #include <cca/graph/marks/traceable.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/main/descriptions.hpp>
+#include <cca/main/program_door.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_settings.hpp>
 #include <cca/runtime/observers/program_recorder.hpp>
@@ -31,6 +32,7 @@ void offer_recording(command_line& line, run_settings& s);
 void offer_replay(command_line& line, run_settings& s);
 void offer_trace(command_line& line, run_settings& s);
 void offer_commands(command_line& line, run_settings& s);
+void offer_door(command_line& line, run_settings& s);
 
 template <class Program>
 void offer_standard_options(command_line& line, Program& p) {
@@ -50,6 +52,7 @@ void offer_standard_options(command_line& line, Program& p) {
       for (const std::string& file : p.settings.configs) read_parameters(c, file);
     });
   offer_commands(line, s);
+  if constexpr (HasDoor<typename Program::controller_type>) offer_door(line, s);
 }
 
 // How this process reaches the other environments: the options for it, and the one that was taken.

@@ -118,7 +118,8 @@ inline std::string why_not_in_replay(std::string_view option) {
   if (option == "--quiet") return {};  // a replay prints no figures
   if (option == "--config") return "a replay takes the parameters from the recording";
   if (option == "--seconds") return "a replay is as long as the recording";
-  if (option == "--pace" || option == "--commands") return "a replay is always a fast run without a pause";
+  if (option == "--pace" || option == "--commands" || option == "--paused" || option.starts_with("--door") ||
+      option == "--on-lost") return "a replay is always a fast run without a pause";
   if (option == "--only" || option == "--shared-memory")
     return "a replay computes all environments in one loop";
   if (option == "--list" || option == "--write-parameters") return "take one of them";
@@ -144,10 +145,35 @@ CCA_MAIN_INLINE void offer_commands(command_line& line, run_settings& s) {
     line.flag("--commands", s.commands,
               "reads p (pause), g (go on), s (one beat) and a speed, each a line, from any input, not only a "
               "terminal");
+  if (!line.has("--paused"))
+    line.flag("--paused", s.paused, "waits before its first beat until it is told to go on");
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
 
+CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
+  if (line.has("--door")) return;
+  line.value(
+      "--door [PORT]",
+      [&s](const std::string& text) {
+        s.door = static_cast<std::uint16_t>(text.empty() ? 8765 : whole_number_in("--door", text, 0, 65535));
+      },
+      "lets viewers and cca-top connect while it runs (port 8765; 0: any)");
+  line.text("--door-address A", s.door_address, "listens there, not only to this machine");
+  offer_file(line, "--door-token", s.door_token,
+             "what a client must know to change anything (made anew for each run)");
+  line.text(
+      "--on-lost WHAT",
+      [&s](const std::string& text) {
+        if (text != "stop" && text != "hold" && text != "go-on")
+          throw command_line_error("--on-lost " + text + ": expected stop, hold or go-on");
+        s.on_lost = text;
+      },
+      "what the run does when the client that commands is gone: stop, hold or go-on (go-on)");
+}
+
 CCA_MAIN_INLINE void refuse_contradictions(const run_settings& s) {
+  if (!s.door && (!s.door_address.empty() || !s.door_token.empty()))
+    throw command_line_error("--door-address and --door-token: open a door, by --door");
   if (s.record.empty() && s.page.empty() && !s.record_scopes.empty())
     throw command_line_error("--record-only: say by --record or --page into which file");
   if (!s.replay.empty() && !(s.record.empty() && s.page.empty() && s.trace.empty()))

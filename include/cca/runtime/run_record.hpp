@@ -88,6 +88,7 @@ public:
     speed.store(factor, std::memory_order_relaxed);
     has_speed.store(true, std::memory_order_release), note();
   }
+  bool is_pause_wanted() const noexcept { return is_wanted.load(std::memory_order_acquire); }
   // The loop has paused; a beat that was running has ended.
   bool is_paused() const noexcept { return holds.load(std::memory_order_acquire); }
   // In a fast run there is no clock whose speed could be changed.

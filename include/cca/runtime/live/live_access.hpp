@@ -66,6 +66,7 @@ public:
 
   // The run ends after its beat; so does each later one.
   void end_run() noexcept { ends.store(true, std::memory_order_release); }
+  bool is_ending() const noexcept { return ends.load(std::memory_order_acquire); }
 
   // The loop pauses after its beat: resource nodes idle once a period, so that a robot goes on getting
   // frames, and requests are taken. `is_paused()` tells when it has. `step()` makes one beat in a pause,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <cca/runtime/live/known_parameters.hpp>
 #include <cca/runtime/live/live_mailbox.hpp>
@@ -40,6 +41,31 @@ public:
     static_assert(has_config<shadows>, "cca::live_access: set(path, value) needs #include <cca/config.hpp>");
     return request(asked::parameters, node_of_parameter(path),
                    [&] { config_or_none<shadows>::set(known, path, value); });
+  }
+  // Several parameters in one request: f(parameters) sets them in a copy, by set(path, value). What it throws
+  // leaves all as it was.
+  template <class F>
+  bool change(F f) {
+    static_assert(has_config<shadows>, "cca::live_access: change(f) needs #include <cca/config.hpp>");
+    return request(asked::parameters, with_components, [&] {
+      const shadows before = known;
+      try {
+        f([&](std::string_view path, const auto& value) {
+          config_or_none<shadows>::set(known, path, value);
+        });
+      } catch (...) {
+        known = before;
+        throw;
+      }
+    });
+  }
+  // f(parameters), as they are known here: as a controller, they have for_each_component. False: busy.
+  template <class F>
+  bool read(F f) {
+    if (!mailbox.claim()) return false;
+    const given_back at_the_end{mailbox};
+    f(std::as_const(known));
+    return true;
   }
   // All parameters that a file names: of each loop in one beat.
   // With a path: of one component, or of those of an inner graph.

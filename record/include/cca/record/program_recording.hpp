@@ -2,6 +2,7 @@
 // and the graph is recordable. docs/recordings.md.
 #pragma once
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -19,9 +20,13 @@ namespace cca::detail {
 template <template <class> class Host, class Graph>
   requires Recordable<Graph>
 struct program_recorder<Host<Graph>> {
-  // `waits`: it is a fast run, so the loop may wait for the file.
+  // `waits`: it is a fast run, so the loop may wait for the file; for those who look on, it never does.
   program_recorder(Host<Graph>& c, const std::string& file, std::vector<std::string> scopes, bool waits)
-      : recorder(c, file, {.scopes = std::move(scopes), .waits = waits, .opens_later = true}) {}
+      : recorder(c, file,
+                 {.scopes = std::move(scopes),
+                  .waits = waits && !file.empty(),
+                  .looks_every = std::chrono::microseconds(file.empty() ? 500 : 2000),
+                  .opens_later = true}) {}
 
   void open() { recorder.open(); }
   void discard() { recorder.discard(); }

@@ -12,6 +12,9 @@
 // Until close() it is written to trot.mcap.part, and an older trot.mcap stays. A program that crashes leaves
 // the part, which can be read and replayed up to its last second (base/system/output_file.hpp).
 //
+// Without a file it gives its messages to the sinks that are added: a door (docs/door.md). A file may begin and
+// end meanwhile.
+//
 // Errors: std::system_error if the file can't be opened, cca::refused for a scope without ports and if
 // another program writes the file. If writing fails later, for example on a full disk, the loop goes on, and
 // `problem()` says what happened and where the rest is. Threads: all
@@ -24,11 +27,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <exception>
 #include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -41,7 +44,10 @@
 #include <cca/base/refused.hpp>
 #include <cca/record/loops/recorded_loop.hpp>
 #include <cca/record/loops/recorded_loops.hpp>
-#include <cca/record/file/recording_file.hpp>
+#include <cca/record/file/file_sink.hpp>
+#include <cca/record/file/message_outlets.hpp>
+#include <cca/record/file/message_sink.hpp>
+#include <cca/record/file/recorded_messages.hpp>
 #include <cca/record/file/settings.hpp>
 #include <cca/runtime/refusal.hpp>
 
@@ -57,8 +63,10 @@ class recorder {
 
 public:
   recorder(Controller& c, const std::string& name, const settings& s = {})
-      : file_name(refuse_if_recorded(c, name)), all(s), of(&c), recorded_contents(describe(c)) {
-    if (!s.opens_later) all.file.emplace(file_name, s, recorded_contents);
+      : file_name(refuse_if_recorded(c, name)), all(s), of(&c) {
+    if (!s.opens_later && !file_name.empty()) file.emplace(file_name, s);
+    all.messages.emplace(outlets, s, describe(c));
+    if (file) outlets.add(*file);
     for (int n = 0; n < cca::detail::counts_of<whole>.node_count; ++n)
       all.nodes.push_back(cca::detail::path_of_node<whole>(n));
     all.environments = recorded::names_of_environments();
@@ -71,20 +79,46 @@ public:
       one = std::make_unique<loop>(all, types, Loop, c.beat_index());
       sources.push_back(one.get());
     });
-    if (all.file) begin();
+    if (!s.opens_later) begin();
     recorded::attach(c, loops);
     c.recorded_into()->moved(c.state(), c.beat_index());
     c.for_each_stopped_part([&](int p) { c.recorded_into()->part_changed(p, true, false, c.beat_index()); });
   }
+  explicit recorder(Controller& c, const settings& s = {}) : recorder(c, std::string(), s) {}
   ~recorder() { close(); }
   recorder(const recorder&) = delete;
   recorder& operator=(const recorder&) = delete;
 
   // With settings::opens_later, before the first beat: until then what happens is kept in memory.
   void open() {
-    if (all.file || is_closed) return;
-    all.file.emplace(file_name, all.how, recorded_contents);
+    if (writer.joinable() || is_closed) return;
+    if (!file_name.empty()) begin_file(file_name);
     begin();
+  }
+
+  // Who else gets what is recorded. A sink that comes late gets the last message of the channels that are kept.
+  // From any thread.
+  void add(message_sink& one) { outlets.add(one); }
+  void remove(message_sink& one) { outlets.remove(one); }
+
+  // A file from now on, and its end. From any thread. Refused: a second file, and to end none. A file that
+  // begins after the first beat can be looked at, not replayed.
+  void begin_file(const std::string& name) {
+    const std::scoped_lock lock(guard_of_file);
+    if (file) throw refused("cca::record: " + name + " is refused: " + file_name + " is being recorded");
+    file.emplace(name, all.how);
+    file_name = name;
+    outlets.add(*file);
+  }
+  void end_file() {
+    const std::scoped_lock lock(guard_of_file);
+    if (!file) throw refused("cca::record: nothing is being recorded into a file");
+    end_file_in_order();
+  }
+  // Empty: none.
+  std::string recorded_into() const {
+    const std::scoped_lock lock(guard_of_file);
+    return file ? file_name : std::string();
   }
 
   // What the program wants to say about this run, as a seed: metadata of this name.
@@ -121,8 +155,8 @@ public:
   }
   // Why nothing more is written; empty: all is well.
   std::string problem() const {
-    const std::scoped_lock lock(guard);
-    return what_failed;
+    const std::scoped_lock lock(guard_of_file);
+    return file && !file->problem().empty() ? file->problem() : what_failed;
   }
 
 private:
@@ -130,8 +164,8 @@ private:
     if (c.recorded_into()) throw refused("cca::record: this controller is being recorded already");
     return file;
   }
-  typename detail::recording_file<whole>::contents describe(Controller& c) {
-    typename detail::recording_file<whole>::contents what;
+  typename detail::recorded_messages<whole>::contents describe(Controller& c) {
+    typename detail::recorded_messages<whole>::contents what;
     c.for_each_component([&]<class C>(std::string_view, const C&) {
       if constexpr (HasParameters<C>) types.push_back(&cca::detail::schema_of<typename C::parameters>);
       else types.push_back(nullptr);
@@ -160,28 +194,34 @@ private:
     auto flushed = clock::now();
     const auto most = std::chrono::duration<double>(all.how.flush_seconds);
     const auto flush = [&] {
-      if (clock::now() - flushed > most) all.file->flush(), flushed = clock::now();
+      if (clock::now() - flushed > most) outlets.flush(), flushed = clock::now();
     };
     for (;;) {
       const bool is_last = is_closing.load(std::memory_order_acquire);
-      guarded([&] {
-        write_notes();
-        while (write_one(is_last)) flush();
-        flush();
-      });
+      write_notes();
+      while (write_one(is_last)) flush();
+      flush();
       if (is_last) break;
       std::unique_lock lock(guard);
-      wake.wait_for(lock, std::chrono::milliseconds(2), [&] { return is_closing.load(); });
+      wake.wait_for(lock, all.how.looks_every, [&] { return is_closing.load(); });
     }
-    if (is_discarded) return all.file->discard();
-    guarded([&] {
-      for (auto* one : sources)
-        if (end >= 0) one->write_lost_up_to(end);
-      if (const auto events_lost = lost_events(); events_lost > 0)
-        all.file->note("cca.lost_events", {{"count", std::to_string(events_lost)}});
-      all.file->note("cca.end", {{"lost_beats", std::to_string(lost_beats())}});
-      all.file->close();
-    });
+    const std::scoped_lock lock(guard_of_file);
+    if (is_discarded) {
+      if (file) file->discard();
+      return;
+    }
+    for (auto* one : sources)
+      if (end >= 0) one->write_lost_up_to(end);
+    if (file) end_file_in_order();
+  }
+  void end_file_in_order() {
+    outlets.remove(*file);
+    if (const auto events_lost = lost_events(); events_lost > 0)
+      file->metadata("cca.lost_events", {{"count", std::to_string(events_lost)}});
+    file->metadata("cca.end", {{"lost_beats", std::to_string(lost_beats())}});
+    file->close();
+    if (what_failed.empty()) what_failed = file->problem();
+    file.reset();
   }
   // The oldest item of all loops. A loop that is behind is waited for, unless the ring of another one gets
   // full meanwhile. False: there is none yet.
@@ -213,33 +253,20 @@ private:
       const std::scoped_lock lock(guard);
       taken.swap(notes);
     }
-    for (const auto& [name, entries] : taken) all.file->note(name, entries);
+    for (const auto& [name, entries] : taken) all.messages->note(name, entries);
   }
-  // What fails ends the file, not the loop.
-  template <class F>
-  void guarded(F f) {
-    try {
-      if (!all.is_broken.load(std::memory_order_relaxed)) f();
-      else
-        while (write_one(true)) {}
-    } catch (const std::exception& e) {
-      const std::scoped_lock lock(guard);
-      what_failed = std::string(e.what()) + "; up to there it is in " + all.file->written_to();
-      all.is_broken.store(true, std::memory_order_release);
-    }
-  }
-
   std::vector<const detail::schema*> types;  // of the parameters of each node, or null
   std::string file_name;
+  detail::message_outlets outlets;
+  std::optional<detail::file_sink> file;
   detail::recording_state<whole> all;
   typename recorded::loops loops;
   std::vector<detail::loop_source*> sources;
   Controller* of;
-  typename detail::recording_file<whole>::contents recorded_contents;
   std::int64_t end = -1;
   bool is_closed = false, is_discarded = false;
   std::atomic<bool> is_closing{false};
-  mutable std::mutex guard;  // of notes and what_failed: never the loops'
+  mutable std::mutex guard, guard_of_file;  // of notes; of file, its name and what_failed: never the loops'
   std::condition_variable wake;
   std::vector<std::pair<std::string, detail::text_map>> notes;
   std::string what_failed;
@@ -251,10 +278,16 @@ template <cca::detail::Refused Controller>
 class recorder<Controller> {
 public:
   recorder(Controller&, const std::string&, const settings& = {}) {}
+  explicit recorder(Controller&, const settings& = {}) {}
   ~recorder() {}
   recorder(const recorder&) = delete;
   recorder& operator=(const recorder&) = delete;
   void open() {}
+  void add(message_sink&) {}
+  void remove(message_sink&) {}
+  void begin_file(const std::string&) {}
+  void end_file() {}
+  std::string recorded_into() const { return {}; }
   void note(const std::string&, const std::map<std::string, std::string>&) {}
   void note(const std::string&, const std::string&) {}
   void close() {}
@@ -266,5 +299,7 @@ public:
 
 template <class Controller>
 recorder(Controller&, const std::string&, const settings& = {}) -> recorder<Controller>;
+template <class Controller>
+recorder(Controller&, const settings& = {}) -> recorder<Controller>;
 
 }  // namespace cca::recording

@@ -1,6 +1,7 @@
 // What is recorded, and how.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct settings {
   bool waits = false;
   double buffered_seconds = 4;  // of beats, at least 1024 of them, at most 64 MiB
   double flush_seconds = 1;     // what is older than this is in the file
+  std::chrono::microseconds looks_every{2000};  // how often the writing thread looks for what is new
   double viewer_hz = 50;        // messages of ROS 2 for viewers, of each port that one fits; 0: none
   std::size_t chunk_bytes = 1 << 20;
   int compression_level = 1;  // of zstd

@@ -13,7 +13,7 @@
 
 #include <cca/graph/verdict/shown_ports.hpp>
 #include <cca/graph/items/shows.hpp>
-#include <cca/record/mcap/writer.hpp>
+#include <cca/record/file/message_outlets.hpp>
 #include <cca/record/messages/body_transforms.hpp>
 #include <cca/record/messages/urdf.hpp>
 #include <cca/record/messages/viewer_message.hpp>
@@ -35,20 +35,20 @@ class shown_body {
 public:
   // `space_of(output)`: its space.
   template <class SpaceOf>
-  shown_body(mcap_writer& file, SpaceOf space_of)
+  shown_body(message_outlets& outlets, SpaceOf space_of)
       : transforms(description_of<body>(), frame_of_base(space_of)) {
     const auto& space = space_of(angles);
     for (const described_axis& axis : transforms.description().axes)
       for (int i = 0; i < space.axis_count; ++i)
         if (space.labels[i] == axis.name) index.push_back(i);
     q.resize(index.size());
-    tf = file.channel("/tf", transforms_type, transforms_schema());
-    description = file.channel("/robot_description", description_type, description_schema);
+    tf = outlets.channel("/tf", transforms_type, transforms_schema());
+    description = outlets.channel("/robot_description", description_type, description_schema, {}, true);
   }
 
   // A frame of one loop, at most every `interval` ns.
   template <class Layout>
-  void write(mcap_writer& file,
+  void write(message_outlets& outlets,
              const std::int64_t* frame,
              const Layout& layout,
              std::int64_t time,
@@ -67,10 +67,10 @@ public:
       const std::string text = urdf_of(transforms.description(), cca::detail::type_name<body>());
       std::vector<unsigned char> memory(text.size() + 64);
       cdr_writer to(memory);
-      file.message(description, at, at, to.add(std::string_view(text)).view());
+      outlets.message(description, at, at, to.add(std::string_view(text)).view());
     }
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = now[index[i]];
-    file.message(tf, at, at, transforms.made_of(q.data(), has_base ? base.data() : nullptr, time));
+    outlets.message(tf, at, at, transforms.made_of(q.data(), has_base ? base.data() : nullptr, time));
   }
 
 private:

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include <cca/record/file/event_ring.hpp>
-#include <cca/record/file/recording_file.hpp>
+#include <cca/record/file/recorded_messages.hpp>
 #include <cca/record/file/settings.hpp>
 #include <cca/runtime/controller.hpp>
 
@@ -36,13 +36,12 @@ struct recording_state {
   explicit recording_state(const settings& s) : how(s) {}
 
   settings how;
-  std::optional<recording_file<Whole>> file;  // the writing thread's
+  std::optional<recorded_messages<Whole>> messages;  // the writing thread's
   std::vector<std::string> nodes;             // their paths
   std::vector<std::string> environments{{}};  // of one loop it has no name
   std::vector<std::string> modes, parts;      // the paths of the parts
   std::atomic<std::int64_t> lost{0};          // beats
   std::atomic<std::uint64_t> told{0};         // events
-  std::atomic<bool> is_broken{false};
 };
 
 // A loop, as the thread sees it that writes.
@@ -136,7 +135,7 @@ public:
   }
   void controller_is_gone() noexcept override { is_gone = true; }
   void wait_for_room() noexcept override {
-    while (of.how.waits && !this->ring.find_room() && !of.is_broken.load(std::memory_order_acquire))
+    while (of.how.waits && !this->ring.find_room())
       std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
 
@@ -160,18 +159,18 @@ public:
     if (has_event) {
       events.take(oldest, payload);
       if (oldest.kind == event_kind::skipped) return skip();
-      if (is_written()) of.file->write(oldest, payload);
+      of.messages->write(oldest, payload);
       return;
     }
     write_lost_up_to(frame[0]);
     expected = frame[0] + 1;
-    if (is_written()) of.file->write(frame, cca::detail::frame_layout_of<Loop>);
+    of.messages->write(frame, cca::detail::frame_layout_of<Loop>);
     this->ring.take();
   }
   void write_lost_up_to(std::int64_t end) override {
     if (const std::int64_t beats = beats_of_loop<Loop>::count(expected, end); beats > 0 && end > expected) {
       of.lost.fetch_add(beats, std::memory_order_relaxed);
-      if (is_written()) of.file->write_lost(expected, beats, name());
+      of.messages->write_lost(expected, beats, name());
     }
     expected = std::max(expected, end);
   }
@@ -189,7 +188,6 @@ private:
     const double wanted = std::max(1024.0, s.buffered_seconds * 1e9 / static_cast<double>(period));
     return static_cast<std::size_t>(std::max(2.0, std::min(wanted, (1 << 26) / bytes)));
   }
-  bool is_written() const { return !of.is_broken.load(std::memory_order_relaxed); }
   std::string_view name() const {
     return std::string_view(of.environments[cca::detail::array_size(environment)]).substr(0, 200);
   }
@@ -200,8 +198,8 @@ private:
     const auto beats = from.template number<std::int64_t>();
     write_lost_up_to(first);
     expected = std::max(expected, first + beats);
-    if (oldest.node == 1 && beats_of_loop<Loop>::count(first, first + beats) > 0 && is_written())
-      of.file->write(oldest, payload);
+    if (oldest.node == 1 && beats_of_loop<Loop>::count(first, first + beats) > 0)
+      of.messages->write(oldest, payload);
   }
 
   template <class Parameters>

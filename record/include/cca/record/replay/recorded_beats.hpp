@@ -18,7 +18,7 @@
 #include <cca/graph/deployment/part.hpp>
 #include <cca/record/mcap/printable.hpp>
 #include <cca/record/mcap/reader.hpp>
-#include <cca/record/file/recording_file.hpp>
+#include <cca/record/file/recorded_messages.hpp>
 #include <cca/record/replay/architecture_difference.hpp>
 #include <cca/runtime/environments/exchange/cycle_results.hpp>
 

@@ -1,4 +1,4 @@
-// What a recording of a graph contains, and how it is written: frames and events become messages.
+// What a recording of a graph contains: frames and events become messages.
 //
 // - /<path of the port>: a sample (messages/sample_message.hpp)
 // - /ros2/<path of the port>: a message of ROS 2 where one fits, for viewers (messages/viewer_message.hpp)
@@ -33,7 +33,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/graph/items/deployment.hpp>
 #include <cca/record/file/event_ring.hpp>
-#include <cca/record/mcap/writer.hpp>
+#include <cca/record/file/message_outlets.hpp>
 #include <cca/record/messages/architecture_text.hpp>
 #include <cca/record/messages/parameter_message.hpp>
 #include <cca/record/messages/sample_message.hpp>
@@ -62,7 +62,7 @@ inline bool is_in_scope(std::string_view path, std::string_view scope) {
 
 // `Graph`: a graph, a deployment or a set of modes.
 template <class Graph>
-class recording_file {
+class recorded_messages {
   static constexpr int output_count = cca::detail::counts_of<Graph>.output_count;
   static constexpr std::int64_t period = cca::detail::counts_of<Graph>.period;
 
@@ -73,17 +73,16 @@ public:
     std::vector<bool> nodes{}, outputs{};     // those that are recorded in this process
     text_map environments{}, modes{};
   };
-  recording_file(const std::string& name, const settings& s, const contents& of)
-      : file(name, s.chunk_bytes, s.compression_level) {
+  recorded_messages(message_outlets& outlets, const settings& s, const contents& of) : to_all(outlets) {
     std::vector<std::string> unused = s.scopes;
     const std::string text = architecture_text<Graph>();
-    if constexpr (AnyDeployment<Graph>) file.metadata("cca.places", places_of<Graph>());
-    file.metadata("cca.architecture", {{"name", std::string(cca::detail::type_name<Graph>())},
+    if constexpr (AnyDeployment<Graph>) to_all.metadata("cca.places", places_of<Graph>());
+    to_all.metadata("cca.architecture", {{"name", std::string(cca::detail::type_name<Graph>())},
                                        {"hash", hash_of_architecture(text)},
                                        {"text", text},
                                        {"ns_a_beat", std::to_string(period)}});
-    if (!of.environments.empty()) file.metadata("cca.environments", of.environments);
-    if (!of.modes.empty()) file.metadata("cca.modes", of.modes);
+    if (!of.environments.empty()) to_all.metadata("cca.environments", of.environments);
+    if (!of.modes.empty()) to_all.metadata("cca.modes", of.modes);
     for (int o = 0; o < output_count; ++o) {
       const std::string path = cca::detail::path_of_output<Graph>(o);
       bool is_wanted = s.scopes.empty();
@@ -102,38 +101,39 @@ public:
       const bool is_here = of.nodes[cca::detail::array_size(n)];
       const schema* const type = is_here ? of.parameters[cca::detail::array_size(n)] : nullptr;
       const std::string path = cca::detail::path_of_node<Graph>(n);
-      nodes.push_back(type ? file.channel(std::string(parameter_topics) + topic_of(path).substr(1),
-                                          message_type(path) + "_parameters", parameter_schema(*type))
+      nodes.push_back(type ? to_all.channel(std::string(parameter_topics) + topic_of(path).substr(1),
+                                          message_type(path) + "_parameters", parameter_schema(*type), {}, is_kept)
                            : std::uint16_t{0});
     }
-    state = file.channel(state_topic, "cca/msg/state", "int64 beat\nstring state\n");
-    fault = file.channel(fault_topic, "cca/msg/fault", "int64 beat\nstring component\nstring reason\n");
+    state = to_all.channel(state_topic, "cca/msg/state", "int64 beat\nstring state\n", {}, is_kept);
+    fault = to_all.channel(fault_topic, "cca/msg/fault", "int64 beat\nstring component\nstring reason\n", {}, is_kept);
     view_period = s.viewer_hz > 0 ? static_cast<std::int64_t>(1e9 / s.viewer_hz) : 0;
     const std::string beats = "int64 beat  # the first\nint64 beats\n", environment = "string environment\n";
-    lost = file.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats);
+    lost = to_all.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats);
     if (has_environments) {
-      late = file.channel(late_topic, "cca/msg/late", "int64 beat\n" + environment + "string from\n");
-      skipped = file.channel(skipped_topic, "cca/msg/skipped", beats + environment);
+      late = to_all.channel(late_topic, "cca/msg/late", "int64 beat\n" + environment + "string from\n");
+      skipped = to_all.channel(skipped_topic, "cca/msg/skipped", beats + environment);
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
-      if (s.viewer_hz > 0) body.emplace(file, cca::detail::space_of_output<Graph>);
+      if (s.viewer_hz > 0) body.emplace(to_all, cca::detail::space_of_output<Graph>);
     if constexpr (cca::detail::has_free_running<Graph>) {
-      freely = file.channel(freely_topic, "cca/msg/free_running",
+      freely = to_all.channel(freely_topic, "cca/msg/free_running",
                             "int64 beat  # from which on they ran at wall-clock speed\n"
                             "bool freely  # false: or in a fast run again\n");
-      dropped = file.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n");
+      dropped = to_all.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n");
     }
     if (!of.modes.empty())
-      mode = file.channel(mode_topic, "cca/msg/mode",
+      mode = to_all.channel(mode_topic, "cca/msg/mode",
                           "int64 beat  # from which on it is active\nstring mode\n"
-                          "bool requested  # by a component\n");
+                          "bool requested  # by a component\n",
+                          {}, is_kept);
     if (cca::detail::counts_of<Graph>.part_count > 0)
-      part = file.channel(part_topic, "cca/msg/part",
+      part = to_all.channel(part_topic, "cca/msg/part",
                           "int64 beat  # from which on it rests, or runs again\nstring part\n"
                           "bool stopped\nbool requested  # by a component\n");
   }
 
-  void note(const std::string& name, const text_map& entries) { file.metadata(name, entries); }
+  void note(const std::string& name, const text_map& entries) { to_all.metadata(name, entries); }
 
   // A frame of one loop.
   template <class Layout>
@@ -146,7 +146,7 @@ public:
       if (const std::int64_t origin = frame[layout.origin[at]]; origin != never)
         write_sample(o, origin, frame + layout.at[at], layout.size[at], k);
     }
-    if (body) body->write(file, frame, layout, k * period, view_period);
+    if (body) body->write(to_all, frame, layout, k * period, view_period);
     for (view& v : views) {
       const std::size_t at = cca::detail::array_size(v.output);
       if (layout.origin[at] < 0 || k * period < v.next) continue;
@@ -155,7 +155,7 @@ public:
       v.next = k * period + view_period;
       double sample[most_coordinates];
       std::memcpy(sample, frame + layout.at[at], 8u * static_cast<std::size_t>(layout.size[at]));
-      file.message(v.channel, time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
+      to_all.message(v.channel, time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
                    v.message.made_of(sample, origin));
     }
   }
@@ -169,7 +169,7 @@ public:
                                   : e.kind == event_kind::freely   ? freely
                                   : e.kind == event_kind::late     ? late
                                                                    : skipped;
-    file.message(channel, time_of(e.beat), time_of(e.beat), payload);
+    to_all.message(channel, time_of(e.beat), time_of(e.beat), payload);
   }
 
   // Beats that are missing, of an environment.
@@ -178,19 +178,17 @@ public:
     cdr_writer to(memory);
     to.add(first).add(beats);
     if (has_environments) to.add(environment.substr(0, 200));
-    file.message(lost, time_of(first), time_of(first), to.view());
+    to_all.message(lost, time_of(first), time_of(first), to.view());
   }
 
-  void flush() { file.flush(); }
-  void close() { file.close(); }
-  void discard() { file.discard(); }
-  const std::string& written_to() const { return file.written_to(); }
-  std::uint64_t bytes() const { return file.bytes(); }
+  void flush() { to_all.flush(); }
 
 private:
+  static constexpr bool is_kept = true;  // the last message, for who comes later
+
   static std::uint64_t time_of(std::int64_t k) { return static_cast<std::uint64_t>(k * period); }
   std::uint16_t port_channel(const std::string& path, const cca::detail::space_info& space) {
-    return file.channel(topic_of(path), message_type(space.name), sample_schema(space),
+    return to_all.channel(topic_of(path), message_type(space.name), sample_schema(space),
                         sample_metadata(space));
   }
 
@@ -198,7 +196,7 @@ private:
     message.clear();
     message.add(std::uint32_t{0x0100}).add(k).add(origin);
     message.add_raw(coordinates, 8u * static_cast<std::size_t>(size));
-    file.message(ports[cca::detail::array_size(o)], time_of(k),
+    to_all.message(ports[cca::detail::array_size(o)], time_of(k),
                  origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin), message.view());
   }
   // Of a free-running environment, in the same beat.
@@ -210,7 +208,7 @@ private:
     unsigned char memory[512];
     cdr_writer to(memory);
     to.add(k).add(earlier[1]).add(std::string_view(cca::detail::path_of_output<Graph>(o)).substr(0, 400));
-    file.message(dropped, time_of(k), time_of(k), to.view());
+    to_all.message(dropped, time_of(k), time_of(k), to.view());
   }
 
   // What a viewer draws of an output, at most `viewer_hz` times a second.
@@ -229,11 +227,11 @@ private:
     viewer_message view_of(cca::detail::space_of_output<Graph>(output));
     if (!view_of.fits()) return;
     const std::uint16_t channel =
-        file.channel(std::string(viewer_topics) + topic_of(path), view_of.type(), view_of.schema());
+        to_all.channel(std::string(viewer_topics) + topic_of(path), view_of.type(), view_of.schema());
     views.push_back({output, channel, std::move(view_of)});
   }
 
-  mcap_writer file;
+  message_outlets& to_all;
   std::optional<std::conditional_t<cca::detail::ShowsBody<Graph>, shown_body<Graph>, no_body>> body;
   std::vector<std::uint16_t> ports, nodes;  // channels; 0: not recorded
   std::vector<view> views;

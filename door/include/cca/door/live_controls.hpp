@@ -1,0 +1,211 @@
+// What a door asks, done on a controller that runs: by cca::live_access and the pause and speed of its run.
+//
+//   Controller   cca::controller of a graph or a set of modes, or cca::deployed
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <cca/base/type_name.hpp>
+#include <cca/component/lifecycle.hpp>
+#include <cca/config.hpp>
+#include <cca/door/controls.hpp>
+#include <cca/door/offered_commands.hpp>
+#include <cca/door/parameter_list.hpp>
+#include <cca/graph/items/modes.hpp>
+#include <cca/graph/layout/nodes_by_path.hpp>
+#include <cca/main/descriptions.hpp>
+#include <cca/main/run_command.hpp>
+#include <cca/record/messages/architecture_text.hpp>
+#include <cca/record/recorder.hpp>
+#include <cca/runtime/environments/figures.hpp>
+#include <cca/runtime/live/live_access.hpp>
+
+namespace cca::detail {
+
+template <class Controller>
+class live_controls final : public door_controls {
+  using graph = typename graph_of_controller<Controller>::type;
+  using what = door_request::what;
+
+public:
+  using figures_now = std::function<std::vector<environment_figures>()>;
+
+  // `figures`: of the environments, from any thread; empty: none.
+  live_controls(live_access<Controller>& of,
+                run_control& run,
+                recording::recorder<Controller>& recorder,
+                std::vector<run_command<Controller>> offers,
+                std::string program,
+                double speed_at_start,
+                figures_now figures)
+      : live(of),
+        control(run),
+        recorded(recorder),
+        commands(std::move(offers)),
+        measured(std::move(figures)),
+        speed(speed_at_start) {
+    about.program = std::move(program);
+    about.architecture = recording::detail::architecture_text<graph>();
+    for (int n = 0; n < counts_of<graph>.node_count; ++n) about.nodes.push_back(path_of_node<graph>(n));
+    for (int p = 0; p < parts_kept<graph>; ++p) about.parts.push_back(path_of_part<graph>(p));
+    if constexpr (Modes<graph>)
+      for (int m = 0; m < mode_count<graph>; ++m)
+        about.modes.emplace_back(live_components::mode_name<Controller>(m));
+    about.commands = commands.described();
+  }
+
+  const door_description& description() const override { return about; }
+
+  door_status status() const override {
+    door_status now;
+    now.state = to_string(live.state());
+    now.beat = live.beat_index();
+    now.overruns = live.overruns();
+    now.period = Controller::period();
+    now.is_paused = control.is_paused();
+    now.speed = control.has_refused_speed() ? 0 : speed;
+    if constexpr (Modes<graph>) now.mode = live.mode();
+    if (const fault why = live.fault()) now.fault = why.reason();
+    now.recording = recorded.recorded_into();
+    return now;
+  }
+
+  std::vector<door_environment> environments() const override {
+    std::vector<door_environment> all;
+    if (!measured) return all;
+    const auto seconds = [](std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); };
+    for (const environment_figures& one : measured()) {
+      door_environment& to = all.emplace_back();
+      to.name = one.name;
+      to.beats = one.beat.count();
+      to.overruns = one.overruns;
+      to.lost_periods = one.lost_periods;
+      for (const auto& channel : one.channels) to.late += channel.late;
+      to.beat_mean = seconds(one.beat.quantile(0.5));
+      to.beat_p99 = seconds(one.beat.quantile(0.99));
+      to.beat_most = seconds(one.beat.most());
+      to.wake_up_mean = seconds(one.wake_up.quantile(0.5));
+      to.wake_up_p99 = seconds(one.wake_up.quantile(0.99));
+      to.wake_up_most = seconds(one.wake_up.most());
+    }
+    return all;
+  }
+
+  std::optional<std::vector<door_parameter>> parameters() override {
+    std::optional<std::vector<door_parameter>> all;
+    live.read([&](const auto& known) { all = door_parameters(values_of_components(known)); });
+    return all;
+  }
+
+  door_outcome begin(const door_request& request) override {
+    try {
+      return begin_checked(request);
+    } catch (const std::exception& e) { return {door_outcome::how::refused, e.what()}; }
+  }
+
+  door_outcome outcome() override {
+    if (is_command ? !commands.is_taken() : !live.is_taken()) return {door_outcome::how::begun, {}};
+    if (is_command) return {};
+    if (const std::string by = live.refused_by(); !by.empty())
+      return {door_outcome::how::refused, "`" + by + "` refuses it for now"};
+    return {};
+  }
+
+  void note(std::string_view client, std::string_view changed) override {
+    recorded.note("cca.door", {{"beat", std::to_string(live.beat_index())},
+                               {"client", std::string(client)},
+                               {"what", std::string(changed)}});
+  }
+
+  // The loop's, between two beats.
+  void obey(Controller& c) { commands.obey(c); }
+  void end(Controller& c) { commands.end(c); }
+
+private:
+  static door_outcome begun_if(bool is_begun) {
+    return {is_begun ? door_outcome::how::begun : door_outcome::how::busy, {}};
+  }
+
+  door_outcome begin_checked(const door_request& request) {
+    is_command = false;
+    switch (request.about) {
+      case what::set:
+        return begun_if(live.change([&](auto set) {
+          for (const auto& [path, value] : request.values) set(path, given_value_of_door(value));
+        }));
+      case what::load:
+        return begun_if(live.load(request.text, request.scope));
+      case what::save:
+        return {live.save(request.text, request.scope) ? door_outcome::how::done : door_outcome::how::busy,
+                {}};
+      case what::stop_part:
+        return begun_if(live.stop(request.text));
+      case what::start_part:
+        return begun_if(live.start(request.text));
+      case what::switch_mode:
+        if constexpr (Modes<graph>) return begun_if(live.switch_to(request.text));
+        else return {door_outcome::how::refused, "this program has no modes: it is one graph"};
+      case what::call:
+      case what::release:
+        return call(request);
+      case what::resume:
+        return {door_outcome::how::refused, "a fault ends the run of this program: start it again"};
+      default:
+        command_run(request);
+        return {};
+    }
+  }
+  door_outcome call(const door_request& request) {
+    if (!commands.is_taken()) return {door_outcome::how::busy, {}};
+    if (std::string why = commands.ask(request); !why.empty()) return {door_outcome::how::refused, why};
+    is_command = true;
+    return {door_outcome::how::begun, {}};
+  }
+  void command_run(const door_request& request) {
+    switch (request.about) {
+      case what::pause:
+        return control.pause();
+      case what::go_on:
+        return control.go_on();
+      case what::step:
+        if (!control.is_paused()) throw refused("step: the run is not paused: pause it first");
+        if (!(request.number >= 1 && request.number <= 1e6))
+          throw refused("step: expected a number of beats from 1 to 1000000");
+        for (double n = 0; n < request.number; ++n) control.step();
+        return;
+      case what::speed:
+        if (!(request.number >= 1e-3 && request.number <= 1e3))
+          throw refused("speed: expected a factor from 0.001 to 1000: 0.5 is half as fast as the clock");
+        if (speed == 0) throw refused("speed: this is a fast run, which has none");
+        control.set_speed(request.number);
+        speed = request.number;
+        return;
+      case what::record:
+        return recorded.begin_file(request.text);
+      case what::end_recording:
+        return recorded.end_file();
+      default:
+        return live.end_run();
+    }
+  }
+
+  live_access<Controller>& live;
+  run_control& control;
+  recording::recorder<Controller>& recorded;
+  offered_commands<Controller> commands;
+  figures_now measured;
+  door_description about;
+  double speed;  // as it was set here
+  bool is_command = false;
+};
+
+}  // namespace cca::detail

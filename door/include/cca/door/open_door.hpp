@@ -1,0 +1,137 @@
+// A door into a controller that runs: viewers of the Foxglove protocol, a browser, `cca-top` and `cca-call`
+// look at it, tune it and steer it.
+//
+//   cca::controller<trot> c;                  // struct trot : cca::graph<...>, cca::recordable {};
+//   c.load(); c.start();
+//   cca::door door(c, {.port = 8765});        // says where it is, and the token
+//   c.run(cca::for_<10>{}, cca::at_wall_clock(), door);
+//
+// It is made from the controller of a graph or of a set of modes, or from a cca::deployed, before the run,
+// and given to the run as it is. The beat copies what is published into a ring, as for a recording; a thread
+// makes messages of it, another one sends them. What comes in is checked in the thread of the door, and taken
+// between two beats, all of one request in one beat. So the loop never waits and allocates nothing.
+//
+// It is a cca::live_access, too. Reading is free on this machine. Who changes anything needs the token, and
+// the right to command, which one client has at a time (docs/door.md).
+//
+// Errors: cca::refused, if it can't listen there, and if the controller is recorded already: give the door the
+// file instead, as `door.record("trot.mcap")`. Cost of a beat: docs/door.md. Tests: tests/runtime/door/.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cca/door/live_controls.hpp>
+#include <cca/door/server.hpp>
+#include <cca/door/settings.hpp>
+#include <cca/main/run_command.hpp>
+#include <cca/record/recorder.hpp>
+#include <cca/runtime/live/live_access.hpp>
+
+namespace cca {
+namespace detail {
+
+inline recording::settings recorded_for_a_door() {
+  return {.buffered_seconds = 1, .flush_seconds = 0.05, .looks_every = std::chrono::microseconds(500)};
+}
+
+// The network side and the controls of a door, on a recorder.
+template <class Controller>
+class door_on {
+public:
+  door_on(const door_settings& s,
+          live_access<Controller>& live,
+          run_control& run,
+          recording::recorder<Controller>& recorder,
+          std::vector<run_command<Controller>> offers,
+          std::string program,
+          double speed,
+          typename live_controls<Controller>::figures_now figures)
+      : recorded(recorder),
+        controls(live, run, recorder, std::move(offers), std::move(program), speed, std::move(figures)),
+        server(s, controls) {
+    recorded.add(server.sink());
+  }
+  door_on(const door_on&) = delete;
+  door_on& operator=(const door_on&) = delete;
+  ~door_on() { recorded.remove(server.sink()); }
+
+  recording::recorder<Controller>& recorded;
+  live_controls<Controller> controls;
+  door_server server;
+};
+
+}  // namespace detail
+
+template <class Controller>
+class door : public live_access<Controller> {
+public:
+  explicit door(Controller& c, const door_settings& s = {}, std::vector<run_command<Controller>> offers = {})
+      : live_access<Controller>(c),
+        recorded(c, detail::recorded_for_a_door()),
+        on(s, *this, this->control(), recorded, std::move(offers),
+           std::string(detail::type_name<typename detail::graph_of_controller<Controller>::type>()), 1,
+           figures_of(c)) {}
+
+  std::uint16_t port() const { return on.server.port(); }
+  std::string token() const { return on.server.token(); }
+  // For a viewer that knows only a URL: valid once.
+  std::string one_time_url() const { return on.server.one_time_url(); }
+
+  // Into a file from now on; docs/recordings.md.
+  void record(const std::string& file) { recorded.begin_file(file); }
+
+  // The loop's.
+  bool operator()(Controller& c)
+    requires requires(live_access<Controller>& live) { live(c); }
+  {
+    on.controls.obey(c);
+    return live_access<Controller>::operator()(c);
+  }
+  bool goes_on(Controller& c)
+    requires requires(live_access<Controller>& live) { live.goes_on(c); }
+  {
+    on.controls.obey(c);
+    return live_access<Controller>::goes_on(c);
+  }
+  bool while_paused(Controller& c) {
+    on.controls.obey(c);
+    return live_access<Controller>::while_paused(c);
+  }
+  void run_ended(Controller& c) {
+    on.controls.end(c);
+    live_access<Controller>::run_ended(c);
+  }
+
+private:
+  static typename detail::live_controls<Controller>::figures_now figures_of(const Controller& c) {
+    if constexpr (requires { c.figures(); }) return [&c] { return c.figures(); };
+    else return {};
+  }
+
+  recording::recorder<Controller> recorded;
+  detail::door_on<Controller> on;
+};
+
+// Of a controller that breaks a rule: the message is the controller's.
+template <detail::Refused Controller>
+class door<Controller> : public live_access<Controller> {
+public:
+  explicit door(Controller& c, const door_settings& = {}, std::vector<run_command<Controller>> = {})
+      : live_access<Controller>(c) {}
+  std::uint16_t port() const { return 0; }
+  std::string token() const { return {}; }
+  std::string one_time_url() const { return {}; }
+  void record(const std::string&) {}
+};
+
+template <class Controller>
+door(Controller&) -> door<Controller>;
+template <class Controller>
+door(Controller&, const door_settings&) -> door<Controller>;
+template <class Controller>
+door(Controller&, const door_settings&, std::vector<run_command<Controller>>) -> door<Controller>;
+
+}  // namespace cca
