@@ -17,7 +17,7 @@ namespace cca::detail {
 
 // `Host`: cca::controller or cca::deployed.
 template <template <class> class Host, class Graph>
-  requires Recordable<Graph>
+  requires(Recordable<Graph> && !Refused<Host<Graph>>)
 struct program_door<Host<Graph>> {
   using controller = Host<Graph>;
 
