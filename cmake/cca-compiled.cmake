@@ -2,7 +2,7 @@
 # its files (cca/base/separate/compiled.hpp, docs/compile_time.md). cca is no binary: an installed cca brings the sources of this,
 # too. With CCA_COMPILED off all is in the headers.
 
-option(CCA_COMPILED "compile once for a project what depends on no type of a program: the simulator, the command line, parameter files, recordings" ON)
+option(CCA_COMPILED "compile once for a project what depends on no type of a program: the simulator, the command line, parameter files, recordings, doors" ON)
 
 # cca_compile_once(<component> <its target> <folder of the sources>)
 function(cca_compile_once component target folder)

@@ -1,5 +1,5 @@
-# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds, cca::record and cca::mpi. All of them are headers only,
-# but config, main, sim and record also link a small library, built once for a project: cca-compiled.cmake.
+# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds, cca::record, cca::door and cca::mpi. All of them are headers only,
+# but config, main, sim, record and door also link a small library, built once for a project: cca-compiled.cmake.
 
 include(GNUInstallDirs)
 include(${CMAKE_CURRENT_LIST_DIR}/cca-compiled.cmake)
@@ -24,19 +24,22 @@ function(cca_add_headers name root)
 endfunction()
 
 foreach(component IN LISTS CCA_COMPONENTS)
-  if(NOT component MATCHES "^(config|main|sim|hardware|dds|record|mpi)$")
-    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware, dds, record and mpi")
+  if(NOT component MATCHES "^(config|main|sim|hardware|dds|record|door|mpi)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware, dds, record, door and mpi")
   endif()
 endforeach()
 if("main" IN_LIST CCA_COMPONENTS AND NOT "config" IN_LIST CCA_COMPONENTS)
   message(FATAL_ERROR "CCA_COMPONENTS: the component 'main' needs 'config'")
+endif()
+if("door" IN_LIST CCA_COMPONENTS AND NOT "record" IN_LIST CCA_COMPONENTS)
+  message(FATAL_ERROR "CCA_COMPONENTS: the component 'door' needs 'record'")
 endif()
 if("mpi" IN_LIST CCA_COMPONENTS AND NOT "sim" IN_LIST CCA_COMPONENTS)
   message(FATAL_ERROR "CCA_COMPONENTS: the component 'mpi' needs 'sim'")
 endif()
 
 if(NOT PROJECT_IS_TOP_LEVEL)  # who links one of these reads of a target that was not found, and why above
-  set(left_out config main sim hardware dds record mpi)
+  set(left_out config main sim hardware dds record door mpi)
   list(REMOVE_ITEM left_out none ${CCA_COMPONENTS})
   if(left_out)
     list(JOIN left_out ", cca::" names)
@@ -129,6 +132,16 @@ if("record" IN_LIST CCA_COMPONENTS)
     "$<BUILD_INTERFACE:CCA_RECORDING_PAGE=\"${PROJECT_SOURCE_DIR}/page/recording.html\">"
     "$<INSTALL_INTERFACE:CCA_RECORDING_PAGE=\"$<INSTALL_PREFIX>/${CMAKE_INSTALL_DATADIR}/cca/recording.html\">")
   cca_compile_once(record cca_record ${PROJECT_SOURCE_DIR}/source)
+endif()
+
+if("door" IN_LIST CCA_COMPONENTS)
+  find_package(nlohmann_json 3.11 REQUIRED CONFIG)
+  find_package(Threads REQUIRED)
+  set(include ${PROJECT_SOURCE_DIR}/door/include)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+  cca_add_headers(door ${include} ${headers})
+  target_link_libraries(cca_door INTERFACE cca cca_record Boost::headers nlohmann_json::nlohmann_json Threads::Threads)
+  cca_compile_once(door cca_door ${PROJECT_SOURCE_DIR}/source)
 endif()
 
 if("mpi" IN_LIST CCA_COMPONENTS)

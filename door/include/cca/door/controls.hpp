@@ -26,9 +26,9 @@ struct door_value {
 struct door_parameter {
   std::string path;  // `gait.frequency`, `arm.gains`
   door_value value{};
-  std::string unit{};                        // empty: none
-  std::optional<double> lower{}, upper{};    // of a number; in SI units
-  std::vector<std::string> choices{};        // of a choice
+  std::string unit{};                      // empty: none
+  std::optional<double> lower{}, upper{};  // of a number; in SI units
+  std::vector<std::string> choices{};      // of a choice
 };
 
 // A command that a program has beside those of every door: a push, a jog. While it is held it has an effect,
@@ -55,9 +55,9 @@ struct door_status {
   std::int64_t beat = 0, overruns = 0;
   std::int64_t period = 0;  // ns
   bool is_paused = false;
-  double speed = 1;                         // times the clock; 0: as fast as possible
+  double speed = 1;                           // times the clock; 0: as fast as possible
   std::string mode{}, fault{}, fault_path{};  // empty: none
-  std::string recording{};                  // the file; empty: none
+  std::string recording{};                    // the file; empty: none
   std::vector<std::string> stopped_parts{};
 };
 
@@ -71,12 +71,28 @@ struct door_description {
 
 struct door_request {
   // `call`: a command of the program; `release`: the end of one that is held.
-  enum class what { set, load, save, stop_part, start_part, switch_mode, pause, go_on, step, speed, end_run,
-                    resume, record, end_recording, call, release } about = what::pause;
+  enum class what {
+    set,
+    load,
+    save,
+    stop_part,
+    start_part,
+    switch_mode,
+    pause,
+    go_on,
+    step,
+    speed,
+    end_run,
+    resume,
+    record,
+    end_recording,
+    call,
+    release
+  } about = what::pause;
   std::vector<std::pair<std::string, door_value>> values{};  // set: path and value; call: argument and value
-  std::string text{};    // a file, a part, a mode, the name of a command
-  std::string scope{};   // load, save: a component or a graph; empty: all
-  double number = 0;     // speed; step: how many beats
+  std::string text{};                                        // a file, a part, a mode, the name of a command
+  std::string scope{};                                       // load, save: a component or a graph; empty: all
+  double number = 0;                                         // speed; step: how many beats
 };
 
 struct door_outcome {

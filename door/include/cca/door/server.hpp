@@ -8,6 +8,7 @@
 
 #include <cca/base/separate/compiled.hpp>
 #include <cca/door/controls.hpp>
+#include <cca/door/network/limits.hpp>
 #include <cca/door/settings.hpp>
 #include <cca/record/file/message_sink.hpp>
 
@@ -17,7 +18,7 @@ class door_server {
 public:
   // Errors: cca::refused, with the address, if it can't listen there or the token's file is not this user's
   // alone.
-  door_server(const door_settings&, door_controls&);
+  door_server(const door_settings&, door_controls&, const door_limits& = {});
   door_server(const door_server&) = delete;
   door_server& operator=(const door_server&) = delete;
   ~door_server();  // closes all connections
@@ -26,7 +27,7 @@ public:
 
   std::uint16_t port() const;
   std::string token() const;
-  std::string one_time_url() const;  // for a viewer that knows only a URL: valid once
+  std::string one_time_url() const;  // for a viewer that knows only a URL: each is valid once
 
 private:
   struct inside;

@@ -3,10 +3,10 @@
 // files of recordings (record), and the network side of a door (door).
 //
 // The CMake targets cca::sim, cca::main, cca::config, cca::record and cca::door do so. They define
-// CCA_COMPILED_SIM, CCA_COMPILED_MAIN, CCA_COMPILED_CONFIG, CCA_COMPILED_RECORD and CCA_COMPILED_DOOR, and link
-// a small library of the program's own project, which is built with the project's flags: so it gives the same
-// bits. Without CMake, with the
-// CMake option CCA_COMPILED=OFF, and in a file that defines CCA_HEADER_ONLY, all is in the headers, as ever.
+// CCA_COMPILED_SIM, CCA_COMPILED_MAIN, CCA_COMPILED_CONFIG, CCA_COMPILED_RECORD and CCA_COMPILED_DOOR, and
+// link a small library of the program's own project, which is built with the project's flags: so it gives the
+// same bits. Without CMake, with the CMake option CCA_COMPILED=OFF, and in a file that defines
+// CCA_HEADER_ONLY, all is in the headers, as ever.
 //
 // In the headers of these parts, functions are declared in one header and defined in another, which begins
 // each of them with CCA_SIM_INLINE, CCA_MAIN_INLINE, CCA_CONFIG_INLINE, CCA_RECORD_INLINE or

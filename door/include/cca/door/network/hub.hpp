@@ -1,0 +1,125 @@
+// All clients of a door, without a network: what their messages do, who commands, and what they are sent.
+// Everything here happens in the thread of the door.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <list>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <cca/door/controls.hpp>
+#include <cca/door/network/channels_functions.hpp>
+#include <cca/door/network/client.hpp>
+#include <cca/door/network/greeting_functions.hpp>
+#include <cca/door/network/requests_functions.hpp>
+#include <cca/door/network/services_functions.hpp>
+#include <cca/door/network/tokens_functions.hpp>
+#include <cca/door/settings.hpp>
+
+namespace cca::detail::door_network {
+
+class hub {
+public:
+  // Reading needs the token, too, if the door is open to other machines.
+  hub(const door_settings&,
+      const door_limits&,
+      door_controls&,
+      std::string token,
+      one_time_keys&,
+      bool guards_reading,
+      wanted_channels&);
+  hub(const hub&) = delete;
+  hub& operator=(const hub&) = delete;
+
+  // A client whose greeting was right. It is valid until `leave`.
+  door_client& enter(const std::string& name, const greeting& hello, time_point now);
+  void leave(door_client&, time_point now);
+  void message(door_client&, frame_kind, std::string_view payload, time_point now);
+
+  void channel(const recording::channel_info&);
+  void sample(std::uint16_t channel, std::uint64_t time, std::string_view data) {
+    channels.show(channel, time, data);
+  }
+  void metadata(const std::string& name, const recording::detail::text_map& entries) {
+    notes[name] = entries;
+  }
+  void time(std::uint64_t ns);
+  void lost(std::uint64_t count);  // before they came here: told to all that have subscribed
+
+  bool is_busy() const {
+    return !requests.is_idle() || !reads.empty();
+  }  // `tick` must come within a millisecond
+  void tick(time_point now);
+  void regularly(time_point now);  // ten times a second
+  std::list<door_client>& everyone() { return clients; }
+
+private:
+  struct waiting_read {  // of parameters, while the controller is busy
+    std::uint64_t client;
+    bool is_description;
+    std::set<std::string> names;
+    json id;
+    time_point since;
+  };
+  using values = std::vector<door_parameter>;
+  using undo_step = std::vector<std::pair<std::string, door_value>>;  // the values before
+
+  const door_settings& settings;
+  const door_limits& limits;
+  door_controls& controls;
+  const std::string token;
+  one_time_keys& keys;
+  const bool guards_reading;
+  std::list<door_client> clients{};
+  shown_channels channels;
+  request_queue requests;
+  const std::vector<door_service> services;
+  const std::string session;
+  std::uint64_t last_id = 0;
+  door_client* commander = nullptr;
+  std::set<std::string> held{};  // commands, by the commander
+  std::deque<undo_step> changes{};
+  values known{};
+  time_point watched{};
+  std::list<waiting_read> reads{};
+  std::map<std::string, recording::detail::text_map> notes{};
+
+  // hub_functions.hpp
+  door_client* client_of(std::uint64_t id);
+  void welcome(door_client&);
+  void text(door_client&, std::string_view, time_point now);
+  void binary(door_client&, std::string_view, time_point now);
+  void read_parameters(door_client&, const json&, bool is_description, time_point now);
+  bool read_now(const waiting_read&, time_point now);
+  void subscribe_parameters(door_client&, const json&, bool is_more);
+  void tell_changed(const values& now);
+
+  // rights_functions.hpp
+  std::string commander_name() const { return commander ? commander->name : std::string(); }
+  void show_token(door_client&, const std::string& offered);
+  void tell_rights(door_client&);
+  void tell_rights();
+  std::string take_command(door_client&);  // empty, or why not
+  void give_command(door_client&, time_point now);
+  void lose_command(time_point now);
+  void release(const std::string& command, time_point now);
+  std::string why_not(const door_client&, bool needs_command) const;
+  void log(const std::string& client, const std::string& what, bool is_change);
+
+  // changes_functions.hpp
+  void set_parameters(door_client&, const json&, time_point now);
+  void call(door_client&, const service_call&, time_point now);
+  void request(door_client&, const service_call&, const door_service&, const json&, time_point now);
+  void undo(door_client&, const service_call&, time_point now);
+  void answer(std::uint64_t client, const service_call&, const door_outcome&);
+  void end(door_task&, const door_outcome&, const values* before, const values* after, bool is_late);
+  void remember(const values& before, const values& after, bool is_undo);
+};
+
+}  // namespace cca::detail::door_network

@@ -1,0 +1,113 @@
+// What waits to be sent to one client: answers, the time, and samples. Samples are bounded: the oldest are
+// lost first, and counted. Answers are never lost: a client that does not read them is dropped.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <cca/door/network/frames_functions.hpp>
+#include <cca/door/network/limits.hpp>
+
+namespace cca::detail::door_network {
+
+// Numbers of the protocol are little endian, as those of this machine (record/mcap/bytes.hpp).
+template <class Number>
+void add_number(std::string& to, Number number) {
+  char bytes[sizeof number];
+  std::memcpy(bytes, &number, sizeof number);
+  to.append(bytes, sizeof number);
+}
+
+class outbox {
+public:
+  explicit outbox(const door_limits& all) : limits(all) {}
+
+  // False if the client has left too many unread.
+  bool answer(frame_kind kind, std::string_view payload) {
+    add_frame(answers, kind, payload);
+    return answers.size() <= limits.answers;
+  }
+  void time(std::uint64_t ns) { now = ns; }  // only the newest is sent
+  // `is_kept(channel)`: the client gets the last sample of that channel, whatever is lost.
+  template <class IsKept>
+  void sample(IsKept&& is_kept,
+              std::uint16_t channel,
+              std::uint32_t subscription,
+              std::uint64_t ns,
+              std::string_view data) {
+    const std::size_t begin = samples.size();
+    add_frame_head(samples, frame_kind::binary, 13 + data.size());
+    samples += '\1';
+    add_number(samples, subscription);
+    add_number(samples, ns);
+    samples.append(data);
+    each.push_back({samples.size() - begin, channel});
+    while (each.size() > 1 &&
+           (each.size() > limits.waiting_messages || samples.size() - sent > limits.waiting_bytes)) {
+      const std::uint16_t of = each.front().channel;
+      drop_first();
+      ++lost;
+      if (is_kept(of)) owed.insert(of);
+    }
+  }
+
+  // The next bytes, in whole frames: answers first, then the time, then about 64 KiB of samples.
+  bool take(std::string& to) {
+    to.clear();
+    if (!answers.empty()) {
+      std::swap(to, answers);
+      return true;
+    }
+    if (now) {
+      std::string payload = "\2";
+      add_number(payload, *std::exchange(now, {}));
+      add_frame(to, frame_kind::binary, payload);
+    }
+    std::size_t size = 0;
+    while (!each.empty() && size < (64u << 10)) {
+      size += each.front().size;
+      each.pop_front();
+    }
+    to.append(samples, sent, size);
+    sent += size;
+    tidy();
+    return !to.empty();
+  }
+  void take_answers(std::string& to) { to = std::exchange(answers, {}); }
+  bool has_room() const { return samples.size() - sent < limits.waiting_bytes / 2; }
+
+  std::uint64_t lost = 0;
+  std::set<std::uint16_t>
+      owed{};  // kept channels whose last sample may be lost: to be sent once there is room
+
+private:
+  struct waiting_sample {
+    std::size_t size;
+    std::uint16_t channel;
+  };
+  const door_limits& limits;
+  std::string answers{}, samples{};
+  std::deque<waiting_sample> each{};
+  std::size_t sent = 0;  // the bytes of `samples` before that are gone
+  std::optional<std::uint64_t> now{};
+
+  void drop_first() {
+    sent += each.front().size;
+    each.pop_front();
+    tidy();
+  }
+  void tidy() {
+    if (sent * 2 > samples.size() + 4096) {
+      samples.erase(0, sent);
+      sent = 0;
+    }
+  }
+};
+
+}  // namespace cca::detail::door_network

@@ -1,0 +1,349 @@
+// The sockets of a door, in a thread of their own. server.hpp includes this, unless it is compiled once for
+// the program (cca/base/separate/compiled.hpp).
+#pragma once
+
+#include <utility>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include <cca/base/refused.hpp>
+#include <cca/door/network/hub_functions.hpp>
+#include <cca/door/network/inbox_functions.hpp>
+#include <cca/door/server.hpp>
+
+namespace cca::detail {
+
+namespace door_network {
+
+namespace asio = boost::asio;
+using tcp = asio::ip::tcp;
+using error = boost::system::error_code;
+
+inline std::string page_of(const std::string& name) {
+  if (name.empty()) return {};
+  std::ifstream file(name, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file || text.empty())
+    throw refused("door_settings::page: the page " + name + " can't be read, or is empty");
+  return text;
+}
+
+inline std::string text_of(const tcp::endpoint& end) {
+  const std::string address = end.address().to_string();
+  return (end.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(end.port());
+}
+
+}  // namespace door_network
+
+struct door_server::inside {
+  using error = door_network::error;
+  using tcp = door_network::tcp;
+  using time_point = door_network::time_point;
+
+  // A socket, from its greeting to its end. It lives while a read or a write of it is under way.
+  struct connection {
+    explicit connection(tcp::socket s, std::size_t most, time_point until)
+        : socket(std::move(s)), frames(most), deadline(until) {}
+    tcp::socket socket;
+    door_network::frame_reader frames;
+    door_network::door_client* client = nullptr;
+    std::string greeting{}, sending{};
+    std::array<char, 16384> piece;
+    time_point deadline;
+    bool is_writing = false, ends_after_write = false, is_open = true;
+  };
+  using shared = std::shared_ptr<connection>;
+
+  inside(const door_settings& given, door_controls& of, const door_limits& all)
+      : settings(given),
+        limits(all),
+        controls(of),
+        token(door_network::token_of(given)),
+        page(door_network::page_of(given.page)) {
+    error wrong;
+    const auto address = boost::asio::ip::make_address(settings.address, wrong);
+    if (wrong)
+      throw refused("a door can't listen at " + settings.address +
+                    ": it is no address; 127.0.0.1 is this machine only");
+    is_for_others = !address.is_loopback();
+    const tcp::endpoint end(address, settings.port);
+    const auto check = [&] {
+      if (wrong)
+        throw refused("a door can't listen at " + door_network::text_of(end) + ": " + wrong.message() +
+                      ". Is another program there? Port 0 takes any that is free");
+    };
+    acceptor.open(end.protocol(), wrong), check();
+    acceptor.set_option(boost::asio::socket_base::reuse_address(true), wrong), check();
+    acceptor.bind(end, wrong), check();
+    acceptor.listen(1024, wrong), check();
+    acceptor.non_blocking(true, wrong), check();
+    port = acceptor.local_endpoint().port();
+    thread = std::thread([this] { run(); });
+  }
+  ~inside() {
+    boost::asio::post(io, [this] { end_all(); });
+    thread.join();
+  }
+
+  const door_settings settings;
+  const door_limits limits;
+  door_controls& controls;
+  const std::string token, page;
+  door_network::one_time_keys keys{};
+  door_network::wanted_channels wanted{};
+  bool is_for_others = false;
+  std::uint16_t port = 0;
+  boost::asio::io_context io{1};
+  tcp::acceptor acceptor{io};
+  boost::asio::steady_timer regular{io}, soon{io}, later{io};
+  door_network::inbox box{limits, wanted, [this] { boost::asio::post(io, [this] { take_samples(); }); }};
+  door_network::inbox::batch batch{};
+  std::unique_ptr<door_network::hub> hub{};
+  std::list<shared> all{};
+  std::size_t greeted = 0;  // of them, those that are clients
+  bool is_waiting_soon = false, is_ending = false;
+  unsigned rounds = 0;
+  std::uint64_t told_time = 0;
+  std::thread thread{};
+
+  static time_point now() { return std::chrono::steady_clock::now(); }
+
+  void run() {
+    hub = std::make_unique<door_network::hub>(settings, limits, controls, token, keys, is_for_others, wanted);
+    accept();
+    wait_regularly();
+    io.run();
+  }
+
+  void accept() {
+    acceptor.async_accept([this](error wrong, tcp::socket socket) {
+      if (is_ending) return;
+      if (wrong) {  // such as: no more files may be open
+        later.expires_after(std::chrono::milliseconds(50));
+        return later.async_wait([this](error) {
+          if (!is_ending) accept();
+        });
+      }
+      // More than that are closed at once: they cost nothing.
+      if (all.size() - greeted < limits.half_open) begin(std::move(socket));
+      accept();
+    });
+  }
+
+  void begin(tcp::socket socket) {
+    error ignored;
+    socket.non_blocking(true, ignored);
+    socket.set_option(tcp::no_delay(true), ignored);
+    const auto c = all.emplace_back(
+        std::make_shared<connection>(std::move(socket), limits.message, now() + limits.greeting_time));
+    read(c);
+  }
+
+  void read(const shared& c) {
+    c->socket.async_read_some(boost::asio::buffer(c->piece), [this, c](error wrong, std::size_t size) {
+      if (!c->is_open) return;
+      if (wrong) return end(c);
+      const std::string_view bytes(c->piece.data(), size);
+      if (c->client) hear(c, bytes);
+      else if (!c->ends_after_write) greet(c, bytes);
+      send_all();
+      if (c->is_open) read(c);
+    });
+  }
+
+  void greet(const shared& c, std::string_view bytes) {
+    c->greeting.append(bytes);
+    error wrong;
+    const auto here = c->socket.local_endpoint(wrong), there = c->socket.remote_endpoint(wrong);
+    if (wrong) return end(c);
+    const std::string address = here.address().to_string();
+    const door_network::arrival at{here.address().is_v6() ? "[" + address + "]" : address, port};
+    const auto hello = door_network::read_greeting(c->greeting, at, settings, limits, page.size());
+    using is = door_network::greeting::is;
+    if (hello.what == is::more) return;
+    c->sending = hello.answer;
+    if (hello.what == is::connection &&
+        greeted >= static_cast<std::size_t>(std::max(settings.most_clients, 0)))
+      c->sending = door_network::refused_greeting(
+                       503, "this door has " + std::to_string(greeted) + " clients, and takes no more")
+                       .answer;
+    else if (hello.what == is::connection) return enter(c, hello, there);
+    c->ends_after_write = true;
+    if (hello.what == is::page) {
+      c->deadline = now() + limits.page_time;
+      if (!hello.head_only) c->sending += page;
+    }
+    write(c);
+  }
+  void enter(const shared& c, const door_network::greeting& hello, const tcp::endpoint& there) {
+    error ignored;
+    c->socket.set_option(boost::asio::socket_base::send_buffer_size(1 << 18), ignored);
+    ++greeted;
+    c->client = &hub->enter(door_network::text_of(there), hello, now());
+    const std::string rest = c->greeting.substr(hello.used);
+    c->greeting = {};
+    write(c);
+    if (!rest.empty()) hear(c, rest);
+  }
+
+  void hear(const shared& c, std::string_view bytes) {
+    using kind = door_network::frame_kind;
+    const auto wrong = c->frames.read(bytes, [&](kind what, std::string_view payload) {
+      if (what == kind::close) return c->client->close(door_network::normal, "goodbye"), true;
+      hub->message(*c->client, what, payload, now());
+      return true;
+    });
+    if (wrong != door_network::no_fault)
+      c->client->close(wrong, wrong == door_network::too_large
+                                  ? "a message has at most " + std::to_string(limits.message) + " bytes"
+                                  : "a wrong frame");
+    if (hub->is_busy()) tick_soon();
+  }
+
+  // What waits for each client. Its last words are why it is closed.
+  void send_all() {
+    for (auto one = all.begin(); one != all.end();) {
+      const shared c = *one++;
+      if (!c->client || c->is_writing) continue;
+      if (c->client->closing != door_network::no_fault && !c->ends_after_write) {
+        c->ends_after_write = true;
+        c->deadline = now() + std::chrono::seconds(1);
+        c->client->out.take_answers(c->sending);
+        std::string last{static_cast<char>(c->client->closing >> 8),
+                         static_cast<char>(c->client->closing & 255)};
+        door_network::add_frame(c->sending, door_network::frame_kind::close,
+                                last + c->client->why_closing.substr(0, 120));
+        write(c);
+      } else if (!c->ends_after_write && c->client->out.take(c->sending)) {
+        write(c);
+      }
+    }
+  }
+  void write(const shared& c) {
+    c->is_writing = true;
+    boost::asio::async_write(c->socket, boost::asio::buffer(c->sending), [this, c](error wrong, std::size_t) {
+      c->is_writing = false;
+      if (!c->is_open) return;
+      if (wrong) return end(c);
+      if (c->ends_after_write) {
+        // It reads until the other side has closed, or a moment: else the last words could be lost.
+        error ignored;
+        c->socket.shutdown(tcp::socket::shutdown_send, ignored);
+        c->deadline = std::min(c->deadline, now() + std::chrono::seconds(1));
+        return;
+      }
+      send_all();
+    });
+  }
+  void end(const shared& c) {
+    if (!c->is_open) return;
+    c->is_open = false;
+    error ignored;
+    c->socket.close(ignored);
+    all.remove(c);
+    if (!c->client) return;
+    --greeted;
+    hub->leave(*std::exchange(c->client, nullptr), now());
+    if (hub->is_busy()) tick_soon();
+  }
+
+  void take_samples() {
+    box.take(batch);
+    for (const auto& one : batch.channels) hub->channel(one);
+    for (const auto& [name, entries] : batch.notes) hub->metadata(name, entries);
+    batch.each([&](std::uint16_t channel, std::uint64_t time, std::string_view data) {
+      hub->sample(channel, time, data);
+    });
+    hub->lost(batch.lost);
+    send_all();
+  }
+  void tick_soon() {
+    if (std::exchange(is_waiting_soon, true)) return;
+    soon.expires_after(std::chrono::milliseconds(1));
+    soon.async_wait([this](error) {
+      is_waiting_soon = false;
+      if (is_ending) return;
+      hub->tick(now());
+      send_all();
+      if (hub->is_busy()) tick_soon();
+    });
+  }
+  // Fifty times a second the time, ten times the rest.
+  void wait_regularly() {
+    regular.expires_after(std::chrono::milliseconds(20));
+    regular.async_wait([this](error) {
+      if (is_ending) return;
+      if (const std::uint64_t time = box.time(); time != told_time) hub->time(told_time = time);
+      if (++rounds % 5 == 0) {
+        const auto moment = now();
+        hub->regularly(moment);
+        for (auto one = all.begin(); one != all.end();) {
+          const shared c = *one++;
+          if ((!c->client || c->ends_after_write) && moment > c->deadline) end(c);
+        }
+      }
+      send_all();
+      wait_regularly();
+    });
+  }
+
+  // The program ends: nothing that a client held is the door's to release.
+  void end_all() {
+    is_ending = true;
+    error ignored;
+    acceptor.close(ignored);
+    regular.cancel(), soon.cancel(), later.cancel();
+    for (const shared& c : all) {
+      c->is_open = false;
+      std::string bye;
+      door_network::add_frame(bye, door_network::frame_kind::close,
+                              std::string("\x03\xe9", 2) + "the program ends");
+      if (c->client && !c->is_writing) c->socket.write_some(boost::asio::buffer(bye), ignored);
+      c->socket.close(ignored);
+    }
+    all.clear();
+  }
+};
+
+CCA_DOOR_INLINE door_server::door_server(const door_settings& settings,
+                                         door_controls& controls,
+                                         const door_limits& limits)
+    : in(std::make_unique<inside>(settings, controls, limits)) {
+  if (!settings.tells_where) return;
+  std::printf("door: ws://%s, token %s\n", door_network::text_of(in->acceptor.local_endpoint()).c_str(),
+              settings.token_file.empty() ? in->token.c_str() : ("in " + settings.token_file).c_str());
+  if (!in->page.empty())
+    std::printf("door: http://%s/\n", door_network::text_of(in->acceptor.local_endpoint()).c_str());
+  std::fflush(stdout);
+}
+CCA_DOOR_INLINE door_server::~door_server() = default;
+CCA_DOOR_INLINE recording::message_sink& door_server::sink() { return in->box; }
+CCA_DOOR_INLINE std::uint16_t door_server::port() const { return in->port; }
+CCA_DOOR_INLINE std::string door_server::token() const { return in->token; }
+CCA_DOOR_INLINE std::string door_server::one_time_url() const {
+  const std::string& address = in->settings.address;
+  const std::string host = address == "0.0.0.0" || address == "::"  ? "127.0.0.1"
+                           : address.find(':') != std::string::npos ? "[" + address + "]"
+                                                                    : address;
+  return "ws://" + host + ":" + std::to_string(in->port) + "/?once=" + in->keys.make();
+}
+
+}  // namespace cca::detail
