@@ -140,7 +140,7 @@ if("door" IN_LIST CCA_COMPONENTS)
   set(include ${PROJECT_SOURCE_DIR}/door/include)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
   cca_add_headers(door ${include} ${headers})
-  target_link_libraries(cca_door INTERFACE cca cca_record Boost::headers nlohmann_json::nlohmann_json Threads::Threads)
+  target_link_libraries(cca_door INTERFACE cca cca_config cca_main cca_record Boost::headers nlohmann_json::nlohmann_json Threads::Threads)
   cca_compile_once(door cca_door ${PROJECT_SOURCE_DIR}/source)
 endif()
 

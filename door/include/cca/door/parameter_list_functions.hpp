@@ -31,7 +31,8 @@ inline bool put_simple(const schema& type, const void* at, door_parameter& one) 
       if (type.stated_range) one.lower = type.lower, one.upper = type.upper;
       return true;
     case kind::choice: {
-      for (std::size_t i = 0; i < type.count; ++i) one.choices.emplace_back(type.names[i]);
+      for (std::size_t i = 0; i < type.count; ++i)
+        if (!type.names[i].empty()) one.choices.emplace_back(type.names[i]);
       const auto number = static_cast<std::size_t>(type.integer(at));
       one.value.what = door_value::kind::text;
       if (number < type.count) one.value.text = type.names[number];
