@@ -13,6 +13,9 @@
 #if __has_include(<cca/record.hpp>)
 #include <cca/record.hpp>
 #endif
+#if __has_include(<cca/door.hpp>)
+#include <cca/door.hpp>  // offers --door
+#endif
 
 namespace deployed {
 

@@ -13,6 +13,9 @@
 #include <cca/record.hpp>                // offers --record
 #include <cca/record/replay_option.hpp>  // offers --replay
 #endif
+#if __has_include(<cca/door.hpp>)
+#include <cca/door.hpp>  // offers --door
+#endif
 
 #include "one_loop.hpp"
 

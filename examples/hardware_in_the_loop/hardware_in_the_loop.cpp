@@ -34,6 +34,9 @@
 #if __has_include(<cca/record.hpp>)
 #include <cca/record.hpp>  // offers --record
 #endif
+#if __has_include(<cca/door.hpp>)
+#include <cca/door.hpp>  // offers --door
+#endif
 
 #include "lock_step.hpp"
 #include "two_environments.hpp"
@@ -49,6 +52,7 @@ struct wishes {
   std::vector<std::string> names;
   std::vector<std::string> configs;
   std::string record, page, trace;
+  std::optional<std::uint16_t> door;
 
   void offer(cca::command_line& line) {
     line.number("--seconds S", seconds, 0.001, 36000, "how long (5)");
@@ -66,11 +70,19 @@ struct wishes {
     line.text("--record FILE", record, "records all ports of the controller into this MCAP file");
     line.text("--page FILE", page, "records into this HTML file, which any browser shows");
     line.text("--trace FILE", trace, "writes when each component fires, for ui.perfetto.dev");
+    line.value(
+        "--door [PORT]",
+        [this](const std::string& text) {
+          door = static_cast<std::uint16_t>(
+              text.empty() ? 8765 : cca::whole_number_in("--door", text, 0, 65535));
+        },
+        "lets viewers and cca-top connect while it runs, at wall-clock speed (port 8765)");
   }
   void set(cca::run_settings& s) const {
     s.seconds = seconds;
     s.configs = configs;
     s.record = record, s.page = page, s.trace = trace;
+    s.door = door;
   }
   void refuse_contradictions() const {
     if (role.empty() != names.empty())
@@ -121,7 +133,13 @@ struct observed
 struct in_one_process : cca::robot_program<observed<memory_end>> {
   explicit in_one_process(const wishes& o) {
     o.set(settings);
-    settings.speed.reset();  // the buses have virtual time
+    if (!settings.door) settings.speed.reset();  // the buses have virtual time
+    offers.push_back({.name = "push",
+                      .help = "pushes the trunk",
+                      .arguments = {{"forward", 10, -60, 60, "N"}, {"left", 0, -60, 60, "N"}},
+                      .begin = [this](controller_type&,
+                                      std::span<const double> n) { far.push({n[0], n[1], 0}); },
+                      .end = [this](controller_type&) { far.push({0, 0, 0}); }});
     std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
   }
 

@@ -77,6 +77,7 @@ public:
     this->plant.put_down(std::move(w));
     disturb(d);
   }
+  void push(const Eigen::Vector3d& force) { this->plant.world.push(force); }
   void disturb(const cca::sim::disturbance& d) { this->plant.disturbance = d; }
 };
 

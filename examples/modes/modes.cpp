@@ -16,6 +16,9 @@
 #include <cca/record.hpp>                // offers --record
 #include <cca/record/replay_option.hpp>  // offers --replay
 #endif
+#if __has_include(<cca/door.hpp>)
+#include <cca/door.hpp>  // offers --door
+#endif
 
 struct hip : cca::dimension<"hip"> {
   static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}, cca::velocity{-4.0, 4.0}};

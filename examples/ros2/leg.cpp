@@ -16,6 +16,9 @@
 #if __has_include(<cca/record.hpp>)
 #include <cca/record.hpp>  // offers --record
 #endif
+#if __has_include(<cca/door.hpp>)
+#include <cca/door.hpp>  // offers --door
+#endif
 
 // [ros2]
 struct hip : cca::dimension<"hip"> {

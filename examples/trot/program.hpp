@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <span>
 #include <string>
 
 #include <cca/cca.hpp>
@@ -42,6 +43,21 @@ inline double controller_nanoseconds() {
   return seconds_since(start) / beats * 1e9;
 }
 
+// Offered through a door: a force on the trunk, held.
+template <class Controller>
+cca::run_command<Controller> push_of_trunk() {
+  const auto push = [](Controller& c, const Eigen::Vector3d& force) {
+    c.template get<"robot.simulator">().world().push(force);
+  };
+  return {.name = "push",
+          .help = "pushes the trunk",
+          .arguments = {{"forward", 10, -60, 60, "N"}, {"left", 0, -60, 60, "N"}},
+          .begin = [push](Controller& c, std::span<const double> newtons) {
+            push(c, {newtons[0], newtons[1], 0});
+          },
+          .end = [push](Controller& c) { push(c, Eigen::Vector3d::Zero()); }};
+}
+
 // `Watched`: `watched` of the architecture of a robot with the questions of asked_by_leg.hpp. `Runs`: what
 // --engine calls it.
 template <class Watched, engine Runs>
@@ -53,6 +69,7 @@ struct program : cca::robot_program<Watched> {
     purpose = "a simulated Oncilla trots";
     settings.seconds = 20;
     settings.speed.reset();  // a fast run
+    this->offers.push_back(push_of_trunk<controller_type>());
   }
 
   void options(cca::command_line& line) override {

@@ -10,6 +10,9 @@
 #include <cca/record.hpp>                // offers --record
 #include <cca/record/replay_option.hpp>  // offers --replay
 #endif
+#if __has_include(<cca/door.hpp>)
+#include <cca/door.hpp>  // offers --door
+#endif
 
 namespace trot {
 

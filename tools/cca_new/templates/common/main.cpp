@@ -1,5 +1,6 @@
 // The program: the robot in the simulator. `my_robot --help` lists its options.
 #include <cca/cca.hpp>
+#include <cca/door.hpp>  // offers --door
 #include <cca/main.hpp>
 #include <cca/record.hpp>                // offers --record and --page
 #include <cca/record/replay_option.hpp>  // offers --replay
