@@ -1,14 +1,18 @@
 // A user's program with all components: has the main function for robots, reads a parameter from a file,
 // joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory,
-// makes runs on all ranks.
+// makes runs on all ranks, opens a door.
 #include <unistd.h>
 
 #include <array>
 #include <fstream>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 #include <cca/dds.hpp>
+#include <cca/door/server.hpp>
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/main.hpp>
@@ -40,12 +44,27 @@ struct moving : cca::graph<cca::node<"goal", goal>,
                            cca::wire<"limits.safe", "joint.command">>,
                 cca::recordable {};
 
+// A program behind a door, without its graph.
+struct nothing_to_show : cca::detail::door_controls {
+  using outcome_of = cca::detail::door_outcome;
+  cca::detail::door_description text{};
+  const cca::detail::door_description& description() const override { return text; }
+  cca::detail::door_status status() const override { return {}; }
+  std::vector<cca::detail::door_environment> environments() const override { return {}; }
+  std::optional<std::vector<cca::detail::door_parameter>> parameters() override { return {}; }
+  outcome_of begin(const cca::detail::door_request&) override { return {}; }
+  outcome_of outcome() override { return {}; }
+  void note(std::string_view, std::string_view) override {}
+};
+
 struct alone : cca::deployment<moving, cca::environment<"all", cca::other_nodes>> {};
 
 static_assert(cca::robots::oncilla::leg_axes::count == 8);
 
 int main(int count, char** words) {
   cca::mpi::ranks all(count, words);
+  nothing_to_show nothing;
+  const cca::detail::door_server door({.port = 0, .tells_where = false}, nothing);
   if (count > 1) return cca::robot_main<moving>(count, words);
   std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";
   cca::controller<moving> c;
@@ -69,7 +88,7 @@ int main(int count, char** words) {
   std::array<cca::hardware::received_frame, 4> heard;
   const auto twice = all.rollouts(3, [](std::size_t i) { return 2 * i; });
   return twice.back() == 4 && c.get<"joint">().at == 0.25 && d.beat_index() == 10 && world.mass() > 5 &&
-                 wire.end(1).receive(heard) == 1
+                 door.port() > 0 && wire.end(1).receive(heard) == 1
              ? 0
              : 1;
 }

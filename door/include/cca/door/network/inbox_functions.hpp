@@ -41,10 +41,12 @@ public:
   };
 
   // `wake` comes from the recording's thread, at most once before the next `take`.
-  inbox(const door_limits& all, const wanted_channels& which, std::function<void()> function)
+  inbox(const door_limits& all, wanted_channels& which, std::function<void()> function)
       : limits(all), wanted(which), wake(std::move(function)) {}
 
   void channel(const recording::channel_info& one) override {
+    if (one.is_kept)
+      wanted.set(one.id, true);  // its next message may come before the door's thread has looked
     {
       const std::scoped_lock lock(guard);
       waiting.channels.push_back(one);
@@ -99,7 +101,7 @@ private:
     std::uint16_t channel = 0;
   };
   const door_limits& limits;
-  const wanted_channels& wanted;
+  wanted_channels& wanted;
   std::function<void()> wake;
   std::mutex guard{};
   batch waiting{};

@@ -157,7 +157,7 @@ inline std::string text_of(const door_request& of, const std::string& service) {
   std::string text = service;
   for (const auto& [name, value] : of.values) text += " " + name + "=" + text_of(json_of(value));
   if (of.about == door_request::what::step || of.about == door_request::what::speed)
-    text += " " + written(json_of(of.number));
+    text += " " + number_text(of.number);
   if (!of.text.empty() && of.about != door_request::what::call && of.about != door_request::what::release)
     text += " " + of.text;
   if (!of.scope.empty()) text += " of " + of.scope;

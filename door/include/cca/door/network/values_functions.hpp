@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <optional>
 #include <string>
@@ -86,8 +87,13 @@ inline const char* name_of(door_value::kind kind) {
                                : "numbers";
 }
 
+inline std::string number_text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", number);
+  return text;
+}
 inline std::string text_of(const json& value) {
-  std::string text = written(value);
+  std::string text = value.is_number_float() ? number_text(value.get<double>()) : written(value);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   return text;
 }
@@ -95,9 +101,9 @@ inline std::string range_text(std::optional<double> lower,
                               std::optional<double> upper,
                               const std::string& unit) {
   const std::string behind = unit.empty() ? "" : " " + unit;
-  if (lower && upper) return "from " + written(json_of(*lower)) + " to " + written(json_of(*upper)) + behind;
-  if (lower) return "at least " + written(json_of(*lower)) + behind;
-  return "at most " + written(json_of(*upper)) + behind;
+  if (lower && upper) return "from " + number_text(*lower) + " to " + number_text(*upper) + behind;
+  if (lower) return "at least " + number_text(*lower) + behind;
+  return "at most " + number_text(*upper) + behind;
 }
 inline bool is_within(double number, std::optional<double> lower, std::optional<double> upper) {
   return !(lower && number < *lower) && !(upper && number > *upper);

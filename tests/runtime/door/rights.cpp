@@ -1,0 +1,333 @@
+// Who may change anything, and who commands.
+#include <doctest/doctest.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <cca/base/refused.hpp>
+
+#include "opened.hpp"
+
+using namespace door_test;
+using about = fake_controls::about;
+using how = fake_controls::how;
+
+namespace {
+
+json rights(bool may_change, bool commands) { return {{"mayChange", may_change}, {"commands", commands}}; }
+// The next rights that are told, without who commands.
+json next_rights(client& c) {
+  json all = c.next("cca.rights");
+  if (all.is_null()) return all;
+  all.erase("op");
+  all.erase("commandedBy");
+  return all;
+}
+const std::string push = "/cca/command/push";
+
+std::string why_no_token(cca::door_settings with) {
+  fake_controls controls;
+  with.port = 0;
+  with.tells_where = false;
+  try {
+    const cca::detail::door_server door(with, controls);
+  } catch (const cca::refused& e) { return e.what(); }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("Reading is free, and nothing changes without the token") {
+  opened one;
+  client c(one.port());
+  CHECK(next_rights(c) == rights(false, false));
+  CHECK(c.call("/cca/take_command").find("this needs the token") == 0);
+  CHECK(c.call("/cca/give_command").find("this needs the token") == 0);
+  for (const auto& service :
+       {"/cca/pause", "/cca/go_on", "/cca/step", "/cca/speed", "/cca/stop", "/cca/resume", "/cca/stop_part",
+        "/cca/start_part", "/cca/switch_mode", "/cca/load", "/cca/save", "/cca/record", "/cca/end_recording",
+        "/cca/undo", "/cca/command/push", "/cca/release/push", "/cca/command/wave"})
+    CHECK(c.call(service).find("this needs the token") == 0);
+  c.set("gait.frequency", 2);
+  CHECK(c.is_told("setParameters: this needs the token"));
+  CHECK(c.next("parameterValues")["parameters"][0]["value"] == 1.5);
+  CHECK(one.controls.asked().empty());
+  CHECK(one.controls.noted().empty());
+}
+
+TEST_CASE("With the token alone only the emergency stop is done") {
+  opened one;
+  client c(one.port(), token);
+  CHECK(next_rights(c) == rights(true, false));
+  for (const auto& service :
+       {"/cca/pause", "/cca/go_on", "/cca/step", "/cca/speed", "/cca/resume", "/cca/stop_part",
+        "/cca/start_part", "/cca/switch_mode", "/cca/load", "/cca/save", "/cca/record", "/cca/end_recording",
+        "/cca/undo", "/cca/command/push", "/cca/release/push", "/cca/command/wave"})
+    CHECK(c.call(service) == "this needs the right to command: call /cca/take_command");
+  c.set("gait.frequency", 2);
+  CHECK(c.is_told("setParameters: this needs the right to command"));
+  CHECK(one.controls.asked().empty());
+  CHECK(c.call("/cca/stop").empty());
+  CHECK(one.controls.was_asked(about::end_run));
+}
+
+TEST_CASE("The token comes as a sub-protocol or in a message") {
+  opened one;
+  client c(one.port());
+  CHECK(next_rights(c) == rights(false, false));
+  c.text({{"op", "cca.token"}, {"token", token}});
+  CHECK(next_rights(c) == rights(true, false));
+  CHECK(one.door.token() == token);
+}
+
+TEST_CASE("Three wrong tokens, and the connection is closed") {
+  opened one;
+  client c(one.port(), "0123456789abcdef0123456789abcdee");
+  CHECK(c.is_open);
+  CHECK(c.is_told("this is not the token of this door"));
+  CHECK(next_rights(c) == rights(false, false));
+  c.text({{"op", "cca.token"}, {"token", token.substr(1)}});
+  CHECK(c.is_told("this is not the token of this door"));
+  CHECK(c.closed_with == 0);
+  c.text({{"op", "cca.token"}});
+  CHECK(c.is_told("for the last time"));
+  CHECK(c.waits([&] { return c.closed_with != 0; }));
+  CHECK(c.closed_with == 1008);
+  CHECK(c.wire.closes());
+}
+
+TEST_CASE("A right token between wrong ones does not open a closed door") {
+  opened one;
+  client c(one.port());
+  for (int i = 0; i < 3; ++i) c.text({{"op", "cca.token"}, {"token", "wrong"}});
+  c.text({{"op", "cca.token"}, {"token", token}});
+  CHECK(c.wire.closes());
+  c.read(1ms);
+  for (const auto& one_text : c.texts)
+    CHECK_FALSE((one_text["op"] == "cca.rights" && one_text["mayChange"] == true));
+}
+
+TEST_CASE("A URL is valid once, and gives the right to command if nobody has it") {
+  opened one;
+  const std::string url = one.door.one_time_url(), other = one.door.one_time_url();
+  const std::string target = url.substr(url.find("/?once="));
+  CHECK(url == "ws://127.0.0.1:" + std::to_string(one.port()) + target);
+  CHECK(target.size() == 7 + 32);
+  client c(one.port(), "", {.target = target});
+  CHECK(next_rights(c)["commands"] == true);
+  CHECK(c.call("/cca/pause").empty());
+  client again(one.port(), "", {.target = target});
+  CHECK(again.is_told("this URL was valid once"));
+  CHECK(next_rights(again) == rights(false, false));
+  client second(one.port(), "", {.target = other.substr(other.find("/?once="))});
+  CHECK(next_rights(second) == rights(true, false));  // somebody commands
+  client wrong(one.port(), "", {.target = "/?once=" + token});
+  CHECK(next_rights(wrong) == rights(false, false));
+  client empty(one.port(), "", {.target = "/?once="});
+  CHECK(next_rights(empty) == rights(false, false));
+}
+
+TEST_CASE("One client commands; the others are told who, and wait until it gives back") {
+  opened one;
+  client a(one.port(), token), b(one.port(), token);
+  next_rights(a), next_rights(b);
+  CHECK(a.call("/cca/give_command") == "this client does not command");
+  CHECK(a.call("/cca/take_command").empty());
+  CHECK(a.call("/cca/take_command").empty());  // it has it
+  CHECK(next_rights(a) == rights(true, true));
+  const json told = b.next("cca.rights");
+  CHECK(told["commands"] == false);
+  const std::string name = told["commandedBy"];
+  CHECK(name.starts_with("127.0.0.1:"));
+  CHECK(b.call("/cca/take_command") == name + " commands: it must give the command back first");
+  CHECK(b.call("/cca/pause") ==
+        "this needs the right to command: " + name + " has it and must give it back first");
+  CHECK(b.call("/cca/give_command") == "this client does not command");
+  CHECK(b.call("/cca/stop").empty());  // the emergency stop is everybody's who has the token
+  CHECK(a.call("/cca/give_command").empty());
+  CHECK(b.call("/cca/take_command").empty());
+  CHECK(a.call("/cca/pause").find("this needs the right to command") == 0);
+  CHECK_FALSE(one.controls.was_asked(about::pause));
+}
+
+TEST_CASE("What was held is released when the command is given back") {
+  opened one;
+  client c(one.port(), token);
+  CHECK(c.call("/cca/take_command").empty());
+  CHECK(c.call(push, {{"force", 5}}).empty());
+  CHECK(c.call("/cca/give_command").empty());
+  CHECK(soon([&] { return one.controls.was_asked(about::release, "push"); }));
+  CHECK_FALSE(one.controls.was_asked(about::pause));
+}
+
+TEST_CASE("What is released by its client is not released again") {
+  opened one({.on_lost = cca::when_lost::go_on});
+  {
+    client c(one.port(), token);
+    CHECK(c.call("/cca/take_command").empty());
+    CHECK(c.call(push, {{"force", 5}}).empty());
+    CHECK(c.call("/cca/command/wave").empty());  // nothing holds it
+    CHECK(c.call("/cca/release/push").empty());
+  }
+  CHECK(soon([&] {
+    return !one.controls.noted().empty() &&
+           one.controls.noted().back().find("lost its connection") != std::string::npos;
+  }));
+  std::this_thread::sleep_for(50ms);
+  CHECK(one.controls.asked().size() == 3);
+}
+
+TEST_CASE(
+    "With the connection of the commander, what it held ends, and the program does what it was told at "
+    "start") {
+  for (const auto on_lost : {cca::when_lost::go_on, cca::when_lost::hold, cca::when_lost::stop}) {
+    opened one({.on_lost = on_lost});
+    client other(one.port(), token);
+    next_rights(other);
+    {
+      client c(one.port(), token);
+      CHECK(c.call("/cca/take_command").empty());
+      CHECK(c.call(push, {{"force", 5}}).empty());
+      c.wire.reset();  // killed
+    }
+    CHECK(soon([&] { return one.controls.was_asked(about::release, "push"); }));
+    CHECK(other.waits([&] {
+      return other.texts.size() >= 2 && other.texts.back()["op"] == "cca.rights" &&
+             other.texts.back()["commandedBy"].is_null();
+    }));
+    std::this_thread::sleep_for(20ms);
+    CHECK(one.controls.was_asked(about::pause) == (on_lost == cca::when_lost::hold));
+    CHECK(one.controls.was_asked(about::end_run) == (on_lost == cca::when_lost::stop));
+    CHECK(other.call("/cca/take_command").empty());
+  }
+}
+
+TEST_CASE("A commander that is silent is lost, and one that answers pings is not") {
+  opened one({.on_lost = cca::when_lost::stop}, {.silence = 20000ms, .commander_silence = 2500ms});
+  client silent(one.port(), token);
+  CHECK(silent.call("/cca/take_command").empty());
+  silent.answers_pings = false;
+  CHECK(soon([&] { return silent.read(1ms), one.controls.was_asked(about::end_run); }, 6000ms));
+  client alive(one.port(), token);
+  CHECK(alive.call("/cca/take_command").empty());
+  alive.waits([] { return false; }, 4000ms);
+  CHECK(alive.call("/cca/pause").empty());
+}
+
+TEST_CASE("What nobody has begun is not done after its client is lost") {
+  opened one;
+  one.controls.answers(how::busy);
+  {
+    client c(one.port(), token);
+    CHECK(c.call("/cca/take_command").empty());
+    c.send_call("/cca/switch_mode", {{"mode", "walk"}});
+    c.set("gait.frequency", 2);
+    c.text({{"op", "nonsense"}});
+    CHECK(c.is_told("nonsense"));  // so all was heard
+    c.wire.reset();
+  }
+  CHECK(soon([&] {
+    return !one.controls.noted().empty() && one.controls.noted().back().find("lost") != std::string::npos;
+  }));
+  one.controls.answers(how::done);
+  std::this_thread::sleep_for(50ms);
+  CHECK(one.controls.asked().empty());
+}
+
+TEST_CASE("A command that has effect only after its client is lost is released at once") {
+  opened one;
+  one.controls.answers(how::begun);
+  {
+    client c(one.port(), token);
+    CHECK(c.call("/cca/take_command").empty());
+    c.send_call(push, {{"force", 5}});
+    c.text({{"op", "nonsense"}});
+    CHECK(c.is_told("nonsense"));
+    c.wire.reset();
+  }
+  CHECK(soon([&] {
+    return !one.controls.noted().empty() && one.controls.noted().back().find("lost") != std::string::npos;
+  }));
+  one.controls.answers(how::done);
+  CHECK(soon([&] { return one.controls.asked().size() == 2; }));
+  CHECK(one.controls.asked()[0].about == about::call);
+  CHECK(one.controls.asked()[1].about == about::release);
+}
+
+TEST_CASE("Open to other machines, a door is read with the token only") {
+  opened one({.address = "0.0.0.0"}, {.greeting_time = 600ms});
+  client c(one.port());
+  CHECK(c.is_open);
+  CHECK(next_rights(c) == rights(false, false));
+  c.subscribe(1, 60001);
+  CHECK(c.is_told("reading needs the token, too"));
+  c.text({{"op", "getParameters"}});
+  CHECK(c.is_told("reading needs the token, too"));
+  c.wire.send(frame_of(0x82, client::bytes_of_call(1, 1, "{}")));
+  CHECK(c.is_told("needs the token"));
+  one.channel(1, "/a");
+  one.message(1, 99, "x");
+  c.read(100ms);
+  CHECK(c.samples.empty());
+  CHECK(c.times.empty());
+  for (const auto& text : c.texts) CHECK((text["op"] == "serverInfo"));
+  CHECK(c.waits([&] { return c.closed_with == 1008; }));  // it had its time
+  client with(one.port(), token), later(one.port());
+  CHECK(with.channel("/cca/status") == 60001);
+  CHECK(later.next("advertise", 50ms).is_null());
+  later.text({{"op", "cca.token"}, {"token", token}});
+  CHECK(later.channel("/cca/status") == 60001);
+  std::this_thread::sleep_for(800ms);
+  CHECK(later.call("/cca/take_command").empty());  // it stays
+  const client by_key(one.port(), "",
+                      {.target = one.door.one_time_url().substr(one.door.one_time_url().find("/?"))});
+  CHECK(by_key.is_open);
+}
+
+TEST_CASE("A token is made at random, or must be a good one") {
+  fake_controls controls;
+  const cca::detail::door_server a({.port = 0, .tells_where = false}, controls),
+      b({.port = 0, .tells_where = false}, controls);
+  CHECK(a.token().size() == 32);
+  CHECK(a.token().find_first_not_of("0123456789abcdef") == std::string::npos);
+  CHECK(a.token() != b.token());
+  CHECK(why_no_token({.token = "short"}).find("16 to 256 letters") != std::string::npos);
+  CHECK(why_no_token({.token = "0123456789abcdef,x"}).find("16 to 256 letters") != std::string::npos);
+  CHECK(why_no_token({.token = token, .token_file = "x"}).find("not both") != std::string::npos);
+}
+
+TEST_CASE("The file of a token is this user's alone") {
+  const std::string name = "door_token";
+  std::remove(name.c_str());
+  CHECK(why_no_token({.token_file = name}).find("No such file") != std::string::npos);
+  std::ofstream(name) << token << "\n";
+  ::chmod(name.c_str(), 0644);
+  CHECK(why_no_token({.token_file = name}).find("chmod 600 " + name) != std::string::npos);
+  ::chmod(name.c_str(), 0660);
+  CHECK(why_no_token({.token_file = name}).find("chmod 600 " + name) != std::string::npos);
+  ::chmod(name.c_str(), 0600);
+  CHECK(why_no_token({.token_file = name}).empty());
+  {
+    fake_controls controls;
+    const cca::detail::door_server door({.port = 0, .token_file = name, .tells_where = false}, controls);
+    CHECK(door.token() == token);
+  }
+  std::ofstream(name) << "short\n";
+  CHECK(why_no_token({.token_file = name}).find("16 to 256 letters") != std::string::npos);
+  CHECK(why_no_token({.token_file = "."}).find("no regular file") != std::string::npos);
+  const std::string link = "door_token_link";
+  std::remove(link.c_str());
+  REQUIRE(::symlink(name.c_str(), link.c_str()) == 0);
+  CHECK(why_no_token({.token_file = link}).find("can't be opened") != std::string::npos);
+  if (::geteuid() == 0) {
+    std::ofstream(name) << token << "\n";
+    REQUIRE(::chown(name.c_str(), 12345, 12345) == 0);
+    CHECK(why_no_token({.token_file = name}).find("belongs to another user") != std::string::npos);
+  }
+  std::remove(link.c_str());
+  std::remove(name.c_str());
+}
