@@ -3,6 +3,7 @@
 //   bench_observed <what> <beats>   plain; recordable, traceable, both: while nobody looks;
 //                                   recorded, traced, both_recorded: by a recorder or a tracer, into
 //                                   /dev/null
+//                                   open: by a door, which looks after each beat
 //
 // Only the beats count: the thread that writes has no function `one_beat`.
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <string_view>
 
 #include <cca/cca.hpp>
+#include <cca/door.hpp>
 #include <cca/record.hpp>
 #include <cca/trace.hpp>
 
@@ -28,6 +30,12 @@ template <class Controller>
   c.step();
 }
 
+template <class Controller>
+[[gnu::noinline]] void one_beat(Controller& c, cca::door<Controller>& door) {
+  c.step();
+  door(c);
+}
+
 // `look(controller)` returns what looks at it.
 template <class Graph, class Look>
 void run(int beats, Look look) {
@@ -35,7 +43,9 @@ void run(int beats, Look look) {
   const auto looking = look(*c);
   c->load();
   c->start();
-  for (int k = 0; k < beats; ++k) one_beat(*c);
+  for (int k = 0; k < beats; ++k)
+    if constexpr (requires { one_beat(*c, *looking); }) one_beat(*c, *looking);
+    else one_beat(*c);
 }
 
 }  // namespace bench
@@ -52,11 +62,15 @@ int main(int argc, char** argv) {
   const auto tracer = []<class Controller>(Controller& c) {
     return std::make_unique<cca::tracer<Controller>>(c, "/dev/null");
   };
+  const auto door = []<class Controller>(Controller& c) {
+    return std::make_unique<cca::door<Controller>>(c, cca::door_settings{.port = 0, .tells_where = false});
+  };
   if (what == "plain") run<plain>(beats, nobody);
   else if (what == "recordable") run<recordable>(beats, nobody);
   else if (what == "traceable") run<traceable>(beats, nobody);
   else if (what == "both") run<both>(beats, nobody);
   else if (what == "recorded") run<recordable>(beats, recorder);
+  else if (what == "open") run<recordable>(beats, door);
   else if (what == "traced") run<traceable>(beats, tracer);
   else if (what == "both_recorded") run<both>(beats, recorder);
   else return 2;

@@ -76,6 +76,7 @@ std::string told_of_fault(std::int64_t period,
 template <class Controller>
 struct no_door {
   bool look(Controller&) const { return true; }
+  bool look_while_paused(Controller&) const { return true; }
   bool look_at_rest(Controller&) const { return true; }
   void run_ended(Controller&) const {}
   bool ends_run() const { return false; }
@@ -218,7 +219,7 @@ private:
     }
     bool is_over() const { return signals.is_over(); }
     run_control& control() const { return controlled; }
-    bool while_paused(controller_type& c) const { return (!door || door->look(c)) && !signals; }
+    bool while_paused(controller_type& c) const { return (!door || door->look_while_paused(c)) && !signals; }
     void run_ended(controller_type& c) const {
       if (door) door->run_ended(c);
     }

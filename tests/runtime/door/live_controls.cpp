@@ -84,6 +84,7 @@ struct rig {
       live.end_run();
     });
     const auto between = [this](Controller& running) {
+      if (!controls.is_wanted(controls.the_run)) return true;
       controls.obey(running);
       return live(running);
     };

@@ -3,8 +3,8 @@
 //   Controller   cca::controller of a graph or a set of modes, or cca::deployed
 #pragma once
 
-#include <algorithm>
-#include <chrono>
+#include <array>
+#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -14,7 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include <cca/base/type_name.hpp>
+#include <cca/base/array_size.hpp>
+#include <cca/base/refused.hpp>
+#include <cca/base/separate/function_ref.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/config.hpp>
 #include <cca/door/controls.hpp>
@@ -65,7 +67,9 @@ public:
 
   const door_description& description() const override { return about; }
 
+  // As of the last look; the loop looks again after its next beat.
   door_status status() const override {
+    want_a_look();
     door_status now;
     now.state = to_string(live.state());
     now.beat = live.beat_index();
@@ -107,12 +111,14 @@ public:
   }
 
   door_outcome begin(const door_request& request) override {
+    const at_the_end told{[this] { want_a_look(); }};
     try {
       return begin_checked(request);
     } catch (const std::exception& e) { return {door_outcome::how::refused, e.what()}; }
   }
 
   door_outcome outcome() override {
+    want_a_look();
     if (is_command ? !commands.is_taken() : !live.is_taken()) return {door_outcome::how::begun, {}};
     if (is_command) return {};
     if (const std::string by = live.refused_by(); !by.empty())
@@ -126,11 +132,24 @@ public:
                                {"what", std::string(changed)}});
   }
 
-  // The loop's, between two beats.
+  // ---- a loop's, between two beats ----
+
+  // Whether the door has asked for something since this loop's last look: so a beat after which nothing is
+  // asked costs one number. `looker`: an environment; `the_run`: whoever gives the beat.
+  static constexpr int the_run = live_loops<Controller>::count;
+  bool is_wanted(int looker) noexcept {
+    auto& one = wanted[array_size(looker)];
+    if (!one.load(std::memory_order_relaxed)) [[likely]]
+      return false;
+    return one.exchange(false, std::memory_order_acquire);
+  }
   void obey(Controller& c) { commands.obey(c); }
   void end(Controller& c) { commands.end(c); }
 
 private:
+  void want_a_look() const noexcept {
+    for (auto& one : wanted) one.store(true, std::memory_order_release);
+  }
   static door_outcome begun_if(bool is_begun) {
     return {is_begun ? door_outcome::how::begun : door_outcome::how::busy, {}};
   }
@@ -205,6 +224,7 @@ private:
   figures_now measured;
   door_description about;
   double speed;  // as it was set here
+  mutable std::array<std::atomic<bool>, array_size(the_run + 1)> wanted{};
   bool is_command = false;
 };
 

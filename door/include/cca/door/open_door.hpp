@@ -11,14 +11,15 @@
 // makes messages of it, another one sends them. What comes in is checked in the thread of the door, and taken
 // between two beats, all of one request in one beat. So the loop never waits and allocates nothing.
 //
-// It is a cca::live_access, too. Reading is free on this machine. Who changes anything needs the token, and
+// Reading is free on this machine. Who changes anything needs the token, and
 // the right to command, which one client has at a time (docs/door.md).
 //
 // Errors: cca::refused, if it can't listen there, and if the controller is recorded already: give the door the
 // file instead, as `door.record("trot.mcap")`. Cost of a beat: docs/door.md. Tests: tests/runtime/door/.
 #pragma once
 
-#include <memory>
+#include <chrono>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,23 +35,30 @@ namespace cca {
 namespace detail {
 
 inline recording::settings recorded_for_a_door() {
-  return {.buffered_seconds = 1, .flush_seconds = 0.05, .looks_every = std::chrono::microseconds(500)};
+  return {.flush_seconds = 0.05, .looks_every = std::chrono::microseconds(500)};
 }
 
-// The network side and the controls of a door, on a recorder.
+// A door on a recorder, and what the loop does for it between two beats.
 template <class Controller>
 class door_on {
 public:
   door_on(const door_settings& s,
-          live_access<Controller>& live,
-          run_control& run,
+          Controller& c,
+          run_control* run,
           recording::recorder<Controller>& recorder,
           std::vector<run_command<Controller>> offers,
           std::string program,
           double speed,
           typename live_controls<Controller>::figures_now figures)
-      : recorded(recorder),
-        controls(live, run, recorder, std::move(offers), std::move(program), speed, std::move(figures)),
+      : live(c),
+        recorded(recorder),
+        controls(live,
+                 run ? *run : live.control(),
+                 recorder,
+                 std::move(offers),
+                 std::move(program),
+                 speed,
+                 std::move(figures)),
         server(s, controls) {
     recorded.add(server.sink());
   }
@@ -58,6 +66,32 @@ public:
   door_on& operator=(const door_on&) = delete;
   ~door_on() { recorded.remove(server.sink()); }
 
+  // False: the run is to end.
+  bool look(Controller& c) { return !controls.is_wanted(controls.the_run) || look_now(c); }
+  bool look_now(Controller& c) {
+    controls.obey(c);
+    if constexpr (requires { live(c); }) return live(c);
+    else return live.goes_on(c);
+  }
+  template <int Environment>
+  void after_beat(Controller& c) {
+    if (controls.is_wanted(Environment)) live.template after_beat<Environment>(c);
+  }
+  // Where no loop runs.
+  bool look_at_rest(Controller& c) {
+    if constexpr (is_of_environments)
+      c.for_each_tap([&]<int Environment>(auto&) { live.template after_beat<Environment>(c); });
+    return look_now(c);
+  }
+  void run_ended(Controller& c) {
+    if constexpr (requires { live.after_last_beat(c); }) live.after_last_beat(c);
+    controls.end(c);
+    live.run_ended(c);
+  }
+
+  static constexpr bool is_of_environments =
+      requires(live_access<Controller>& of, Controller& c) { of.goes_on(c); };
+  live_access<Controller> live;
   recording::recorder<Controller>& recorded;
   live_controls<Controller> controls;
   door_server server;
@@ -66,13 +100,19 @@ public:
 }  // namespace detail
 
 template <class Controller>
-class door : public live_access<Controller> {
+class door {
+  using on_door = detail::door_on<Controller>;
+
 public:
   explicit door(Controller& c, const door_settings& s = {}, std::vector<run_command<Controller>> offers = {})
-      : live_access<Controller>(c),
-        recorded(c, detail::recorded_for_a_door()),
-        on(s, *this, this->control(), recorded, std::move(offers),
-           std::string(detail::type_name<typename detail::graph_of_controller<Controller>::type>()), 1,
+      : recorded(c, detail::recorded_for_a_door()),
+        on(s,
+           c,
+           nullptr,
+           recorded,
+           std::move(offers),
+           std::string(detail::type_name<typename detail::graph_of_controller<Controller>::type>()),
+           1,
            figures_of(c)) {}
 
   std::uint16_t port() const { return on.server.port(); }
@@ -83,27 +123,27 @@ public:
   // Into a file from now on; docs/recordings.md.
   void record(const std::string& file) { recorded.begin_file(file); }
 
-  // The loop's.
+  // ---- the loop's: give the door to `run` as it is ----
+
   bool operator()(Controller& c)
-    requires requires(live_access<Controller>& live) { live(c); }
+    requires(!on_door::is_of_environments)
   {
-    on.controls.obey(c);
-    return live_access<Controller>::operator()(c);
+    return on.look(c);
   }
   bool goes_on(Controller& c)
-    requires requires(live_access<Controller>& live) { live.goes_on(c); }
+    requires on_door::is_of_environments
   {
-    on.controls.obey(c);
-    return live_access<Controller>::goes_on(c);
+    return on.look(c);
   }
-  bool while_paused(Controller& c) {
-    on.controls.obey(c);
-    return live_access<Controller>::while_paused(c);
+  template <int Environment>
+  void after_beat(Controller& c)
+    requires on_door::is_of_environments
+  {
+    on.template after_beat<Environment>(c);
   }
-  void run_ended(Controller& c) {
-    on.controls.end(c);
-    live_access<Controller>::run_ended(c);
-  }
+  detail::run_control& control() { return on.live.control(); }
+  bool while_paused(Controller& c) { return on.look_now(c); }
+  void run_ended(Controller& c) { on.run_ended(c); }
 
 private:
   static typename detail::live_controls<Controller>::figures_now figures_of(const Controller& c) {
@@ -112,15 +152,14 @@ private:
   }
 
   recording::recorder<Controller> recorded;
-  detail::door_on<Controller> on;
+  on_door on;
 };
 
 // Of a controller that breaks a rule: the message is the controller's.
 template <detail::Refused Controller>
-class door<Controller> : public live_access<Controller> {
+class door<Controller> {
 public:
-  explicit door(Controller& c, const door_settings& = {}, std::vector<run_command<Controller>> = {})
-      : live_access<Controller>(c) {}
+  explicit door(Controller&, const door_settings& = {}, std::vector<run_command<Controller>> = {}) {}
   std::uint16_t port() const { return 0; }
   std::string token() const { return {}; }
   std::string one_time_url() const { return {}; }

@@ -2,6 +2,7 @@
 // docs/door.md.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -11,7 +12,6 @@
 #include <cca/main/program_door.hpp>
 #include <cca/main/run_command.hpp>
 #include <cca/main/run_settings.hpp>
-#include <cca/runtime/live/live_access.hpp>
 
 namespace cca::detail {
 
@@ -28,36 +28,22 @@ struct program_door<Host<Graph>> {
                std::vector<run_command<controller>> offers,
                const std::string& program,
                std::function<std::vector<environment_figures>(std::int64_t overruns)> figures)
-      : live(c),
-        on(settings_of(s), live, run, recorder, std::move(offers), program, s.speed.value_or(0),
-           [this, figures = std::move(figures)] { return figures(live.overruns()); }) {}
+      : on(settings_of(s), c, &run, recorder, std::move(offers), program, s.speed.value_or(0),
+           [this, figures = std::move(figures)] { return figures(on.live.overruns()); }) {}
 
   // ---- the loop's, between two beats; false: the run is to end ----
 
-  bool look(controller& c) {
-    on.controls.obey(c);
-    if constexpr (requires { live(c); }) return live(c);
-    else return live.goes_on(c);
-  }
+  bool look(controller& c) { return on.look(c); }
   template <int Environment>
   void after_beat(controller& c)
-    requires requires(live_access<controller>& of) { of.template after_beat<Environment>(c); }
+    requires door_on<controller>::is_of_environments
   {
-    live.template after_beat<Environment>(c);
+    on.template after_beat<Environment>(c);
   }
-  // Before the first beat.
-  bool look_at_rest(controller& c) {
-    if constexpr (!requires { live(c); })
-      c.for_each_tap([&]<int Environment>(auto&) { live.template after_beat<Environment>(c); });
-    return look(c);
-  }
-  void run_ended(controller& c) {
-    if constexpr (requires { live.after_last_beat(c); }) live.after_last_beat(c);
-    on.controls.end(c);
-    live.run_ended(c);
-  }
-
-  bool ends_run() const { return live.is_ending(); }
+  bool look_while_paused(controller& c) { return on.look_now(c); }
+  bool look_at_rest(controller& c) { return on.look_at_rest(c); }
+  void run_ended(controller& c) { on.run_ended(c); }
+  bool ends_run() const { return on.live.is_ending(); }
 
   static door_settings settings_of(const run_settings& s) {
     door_settings all;
@@ -68,7 +54,6 @@ struct program_door<Host<Graph>> {
     return all;
   }
 
-  live_access<controller> live;
   door_on<controller> on;
 };
 
