@@ -73,8 +73,8 @@ struct wishes {
     line.value(
         "--door [PORT]",
         [this](const std::string& text) {
-          door = static_cast<std::uint16_t>(
-              text.empty() ? 8765 : cca::whole_number_in("--door", text, 0, 65535));
+          door = static_cast<std::uint16_t>(text.empty() ? 8765
+                                                         : cca::whole_number_in("--door", text, 0, 65535));
         },
         "lets viewers and cca-top connect while it runs, at wall-clock speed (port 8765)");
   }
@@ -134,12 +134,12 @@ struct in_one_process : cca::robot_program<observed<memory_end>> {
   explicit in_one_process(const wishes& o) {
     o.set(settings);
     if (!settings.door) settings.speed.reset();  // the buses have virtual time
-    offers.push_back({.name = "push",
-                      .help = "pushes the trunk",
-                      .arguments = {{"forward", 10, -60, 60, "N"}, {"left", 0, -60, 60, "N"}},
-                      .begin = [this](controller_type&,
-                                      std::span<const double> n) { far.push({n[0], n[1], 0}); },
-                      .end = [this](controller_type&) { far.push({0, 0, 0}); }});
+    offers.push_back(
+        {.name = "push",
+         .help = "pushes the trunk",
+         .arguments = {{"forward", 10, -60, 60, "N"}, {"left", 0, -60, 60, "N"}},
+         .begin = [this](controller_type&, std::span<const double> n) { far.push({n[0], n[1], 0}); },
+         .end = [this](controller_type&) { far.push({0, 0, 0}); }});
     std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
   }
 

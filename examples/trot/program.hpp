@@ -52,9 +52,8 @@ cca::run_command<Controller> push_of_trunk() {
   return {.name = "push",
           .help = "pushes the trunk",
           .arguments = {{"forward", 10, -60, 60, "N"}, {"left", 0, -60, 60, "N"}},
-          .begin = [push](Controller& c, std::span<const double> newtons) {
-            push(c, {newtons[0], newtons[1], 0});
-          },
+          .begin = [push](Controller& c,
+                          std::span<const double> newtons) { push(c, {newtons[0], newtons[1], 0}); },
           .end = [push](Controller& c) { push(c, Eigen::Vector3d::Zero()); }};
 }
 

@@ -8,9 +8,10 @@
 //   line.parse({"--speed", "0.5"});   // throws cca::command_line_error
 //
 // Behind the name of an option stands what --help calls its value. `into` is a variable, an optional one, or
-// a function that takes the value; in brackets, as in `--door [PORT]`, it may be left out, and is empty then. Each option may be given once, those of `texts` several times. What is
-// called FILE is a file: two options that name one file are refused, however they spell it (one_file.hpp).
-// Test: tests/runtime/programs/command_line.cpp; docs/programs.md.
+// a function that takes the value; in brackets, as in `--door [PORT]`, it may be left out, and is empty then.
+// Each option may be given once, those of `texts` several times. What is called FILE is a file: two options
+// that name one file are refused, however they spell it (one_file.hpp). Test:
+// tests/runtime/programs/command_line.cpp; docs/programs.md.
 #pragma once
 
 #include <concepts>

@@ -68,7 +68,8 @@ public:
   }
   // Of another thread, for example: pauses the run, makes single beats, changes the speed.
   detail::run_control control{};
-  // What a door offers beside what every run knows. Fill it before the run: in the constructor, or in `loaded`.
+  // What a door offers beside what every run knows. Fill it before the run: in the constructor, or in
+  // `loaded`.
   std::vector<run_command<controller_type>> offers{};
 
   // Prints and writes what it has. Its exit code counts if neither a fault nor a signal has ended the run.

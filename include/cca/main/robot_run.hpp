@@ -193,7 +193,8 @@ private:
     while (program.control.is_pause_wanted()) {
       if (interrupted || (opened && !opened->look_at_rest(c))) return false;
       c.step();  // it is not started: its robot idles
-      monotonic_clock::sleep_until(monotonic_clock::now() + std::max(controller_type::period(), shortest_nap));
+      monotonic_clock::sleep_until(monotonic_clock::now() +
+                                   std::max(controller_type::period(), shortest_nap));
     }
     return true;
   }
@@ -245,7 +246,8 @@ private:
     if constexpr (!is_deployed) c.run(length, counted_pace(s.speed, beats), between);
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
-    const bool is_over = !goes_on || (opened && opened->ends_run()) || c.state() == state::faulted || c.beat_index() - first >= length.count;
+    const bool is_over = !goes_on || (opened && opened->ends_run()) || c.state() == state::faulted ||
+                         c.beat_index() - first >= length.count;
     if (!is_over) ended_by_others = "another process has ended the run " + at(c);
   }
 
@@ -291,7 +293,8 @@ private:
   std::vector<environment_figures> figures_of(const controller_type& c) {
     return figures_of(c, c.overruns());
   }
-  std::vector<environment_figures> figures_of(const controller_type& c, [[maybe_unused]] std::int64_t overruns) {
+  std::vector<environment_figures> figures_of(const controller_type& c,
+                                              [[maybe_unused]] std::int64_t overruns) {
     if constexpr (is_deployed) {
       return c.figures();
     } else {

@@ -1,5 +1,5 @@
-// What a program can be asked to do while it runs, beside what every run knows: a push of a simulated robot, a
-// jog of an axis. A door offers it to whoever holds the right to command (docs/door.md).
+// What a program can be asked to do while it runs, beside what every run knows: a push of a simulated robot,
+// a jog of an axis. A door offers it to whoever holds the right to command (docs/door.md).
 //
 //   pushing() {
 //     offers.push_back({.name = "push", .help = "pushes the trunk",
@@ -9,8 +9,8 @@
 //   }
 //
 // Both functions run between two beats, in the thread of the loop; of a deployment in that of its first
-// environment. With an `end` the command is held: it ends when it is released, or when the one who holds it is
-// gone.
+// environment. With an `end` the command is held: it ends when it is released, or when the one who holds it
+// is gone.
 #pragma once
 
 #include <functional>

@@ -119,7 +119,8 @@ inline std::string why_not_in_replay(std::string_view option) {
   if (option == "--config") return "a replay takes the parameters from the recording";
   if (option == "--seconds") return "a replay is as long as the recording";
   if (option == "--pace" || option == "--commands" || option == "--paused" || option.starts_with("--door") ||
-      option == "--on-lost") return "a replay is always a fast run without a pause";
+      option == "--on-lost")
+    return "a replay is always a fast run without a pause";
   if (option == "--only" || option == "--shared-memory")
     return "a replay computes all environments in one loop";
   if (option == "--list" || option == "--write-parameters") return "take one of them";

@@ -55,10 +55,7 @@ using controller = cca::controller<graph>;
 // Messages of a recording, as a door gets them.
 struct heard : cca::recording::message_sink {
   void channel(const cca::recording::channel_info& one) override { topics[one.id] = one.topic; }
-  void message(std::uint16_t id,
-               std::uint64_t,
-               std::uint64_t,
-               cca::recording::detail::byte_view) override {
+  void message(std::uint16_t id, std::uint64_t, std::uint64_t, cca::recording::detail::byte_view) override {
     ++count[topics.at(id)];
   }
   void metadata(const std::string& name, const cca::recording::detail::text_map& entries) override {
@@ -169,8 +166,10 @@ TEST_CASE("door: all parameters of a request change in one beat, or none") {
     CHECK(r.set({{"tuned.legs", number(2.5)}}).is == how::refused);
     CHECK(r.set({{"tuned.ground", text("hill")}}).why.find("flat") != std::string::npos);
     CHECK(r.set({{"tuned.offset", text("30 deg")}, {"tuned.legs", whole(6)}}).is == how::done);
-    CHECK(r.set({{"tuned.gains", {.what = door_value::kind::numbers, .numbers = {4, 5, 6}}}}).is == how::done);
-    CHECK(r.set({{"tuned.gains", {.what = door_value::kind::numbers, .numbers = {4, 5}}}}).is == how::refused);
+    CHECK(r.set({{"tuned.gains", {.what = door_value::kind::numbers, .numbers = {4, 5, 6}}}}).is ==
+          how::done);
+    CHECK(r.set({{"tuned.gains", {.what = door_value::kind::numbers, .numbers = {4, 5}}}}).is ==
+          how::refused);
   });
   const source& seen = r.c.get<"source">();
   CHECK(seen.broken == 0);
@@ -265,12 +264,13 @@ TEST_CASE("door: a file begins and ends while the controller runs") {
 TEST_CASE("door: a program's own commands, held and released") {
   std::vector<double> pushed;
   int released = 0;
-  rig<controller> r(1, {{.name = "push",
-                         .help = "pushes the trunk",
-                         .arguments = {{"forward", 20, -60, 60, "N"}, {"up", 0, -5, 5, "N"}},
-                         .begin = [&](controller&, auto newtons) { pushed.assign(newtons.begin(), newtons.end()); },
-                         .end = [&](controller&) { ++released; }},
-                        {.name = "tap", .begin = [&](controller&, auto) { pushed.clear(); }}});
+  rig<controller> r(
+      1, {{.name = "push",
+           .help = "pushes the trunk",
+           .arguments = {{"forward", 20, -60, 60, "N"}, {"up", 0, -5, 5, "N"}},
+           .begin = [&](controller&, auto newtons) { pushed.assign(newtons.begin(), newtons.end()); },
+           .end = [&](controller&) { ++released; }},
+          {.name = "tap", .begin = [&](controller&, auto) { pushed.clear(); }}});
   const auto& told = r.controls.description().commands;
   REQUIRE(told.size() == 2);
   CHECK(told[0].is_held);
@@ -293,8 +293,7 @@ TEST_CASE("door: a program's own commands, held and released") {
     CHECK(pushed == std::vector<double>{20, 0});
   });
   CHECK(released == 2);  // the run is over
-  CHECK_THROWS_AS(
-      (cca::detail::offered_commands<controller>({{.name = "none"}})), cca::refused);
+  CHECK_THROWS_AS((cca::detail::offered_commands<controller>({{.name = "none"}})), cca::refused);
 }
 
 namespace {
@@ -313,8 +312,7 @@ struct swinging : cca::graph<cca::rate<1000>,
                              cca::wire<"filter.y", "swing.slow", cca::latest>,
                              cca::wire<"swing.angles", "limits.command">,
                              cca::wire<"limits.safe", "leg.command">> {};
-struct both : cca::modes<cca::mode<"rest", resting>, cca::mode<"swing", swinging>>,
-              cca::recordable {};
+struct both : cca::modes<cca::mode<"rest", resting>, cca::mode<"swing", swinging>>, cca::recordable {};
 
 }  // namespace
 

@@ -55,17 +55,17 @@ public:
         commands(std::move(offers)),
         measured(std::move(figures)),
         speed(speed_at_start) {
-    about.program = std::move(program);
-    about.architecture = recording::detail::architecture_text<graph>();
-    for (int n = 0; n < counts_of<graph>.node_count; ++n) about.nodes.push_back(path_of_node<graph>(n));
-    for (int p = 0; p < parts_kept<graph>; ++p) about.parts.push_back(path_of_part<graph>(p));
+    told.program = std::move(program);
+    told.architecture = recording::detail::architecture_text<graph>();
+    for (int n = 0; n < counts_of<graph>.node_count; ++n) told.nodes.push_back(path_of_node<graph>(n));
+    for (int p = 0; p < parts_kept<graph>; ++p) told.parts.push_back(path_of_part<graph>(p));
     if constexpr (Modes<graph>)
       for (int m = 0; m < mode_count<graph>; ++m)
-        about.modes.emplace_back(live_components::mode_name<Controller>(m));
-    about.commands = commands.described();
+        told.modes.emplace_back(live_components::mode_name<Controller>(m));
+    told.commands = commands.described();
   }
 
-  const door_description& description() const override { return about; }
+  const door_description& description() const override { return told; }
 
   // As of the last look; the loop looks again after its next beat.
   door_status status() const override {
@@ -119,8 +119,11 @@ public:
 
   door_outcome outcome() override {
     want_a_look();
-    if (is_command ? !commands.is_taken() : !live.is_taken()) return {door_outcome::how::begun, {}};
-    if (is_command) return {};
+    const bool has_effect = begun == about::command ? commands.is_taken()
+                            : begun == about::pause ? control.is_paused() || live.state() != state::running
+                                                    : live.is_taken();
+    if (!has_effect) return {door_outcome::how::begun, {}};
+    if (begun != about::request) return {};
     if (const std::string by = live.refused_by(); !by.empty())
       return {door_outcome::how::refused, "`" + by + "` refuses it for now"};
     return {};
@@ -155,7 +158,7 @@ private:
   }
 
   door_outcome begin_checked(const door_request& request) {
-    is_command = false;
+    begun = about::request;
     switch (request.about) {
       case what::set:
         return begun_if(live.change([&](auto set) {
@@ -176,6 +179,10 @@ private:
       case what::call:
       case what::release:
         return call(request);
+      case what::pause:
+        control.pause();
+        begun = about::pause;
+        return {door_outcome::how::begun, {}};
       case what::resume:
         return {door_outcome::how::refused, "a fault ends the run of this program: start it again"};
       default:
@@ -186,13 +193,11 @@ private:
   door_outcome call(const door_request& request) {
     if (!commands.is_taken()) return {door_outcome::how::busy, {}};
     if (std::string why = commands.ask(request); !why.empty()) return {door_outcome::how::refused, why};
-    is_command = true;
+    begun = about::command;
     return {door_outcome::how::begun, {}};
   }
   void command_run(const door_request& request) {
     switch (request.about) {
-      case what::pause:
-        return control.pause();
       case what::go_on:
         return control.go_on();
       case what::step:
@@ -222,10 +227,10 @@ private:
   recording::recorder<Controller>& recorded;
   offered_commands<Controller> commands;
   figures_now measured;
-  door_description about;
+  door_description told;
   double speed;  // as it was set here
   mutable std::array<std::atomic<bool>, array_size(the_run + 1)> wanted{};
-  bool is_command = false;
+  enum class about { request, command, pause } begun = about::request;  // what `outcome` tells of
 };
 
 }  // namespace cca::detail

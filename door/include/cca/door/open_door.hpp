@@ -14,8 +14,8 @@
 // Reading is free on this machine. Who changes anything needs the token, and
 // the right to command, which one client has at a time (docs/door.md).
 //
-// Errors: cca::refused, if it can't listen there, and if the controller is recorded already: give the door the
-// file instead, as `door.record("trot.mcap")`. Cost of a beat: docs/door.md. Tests: tests/runtime/door/.
+// Errors: cca::refused, if it can't listen there, and if the controller is recorded already: give the door
+// the file instead, as `door.record("trot.mcap")`. Cost of a beat: docs/door.md. Tests: tests/runtime/door/.
 #pragma once
 
 #include <chrono>

@@ -28,7 +28,13 @@ struct program_door<Host<Graph>> {
                std::vector<run_command<controller>> offers,
                const std::string& program,
                std::function<std::vector<environment_figures>(std::int64_t overruns)> figures)
-      : on(settings_of(s), c, &run, recorder, std::move(offers), program, s.speed.value_or(0),
+      : on(settings_of(s),
+           c,
+           &run,
+           recorder,
+           std::move(offers),
+           program,
+           s.speed.value_or(0),
            [this, figures = std::move(figures)] { return figures(on.live.overruns()); }) {}
 
   // ---- the loop's, between two beats; false: the run is to end ----
@@ -50,7 +56,9 @@ struct program_door<Host<Graph>> {
     all.port = s.door.value_or(all.port);
     if (!s.door_address.empty()) all.address = s.door_address;
     all.token_file = s.door_token;
-    all.on_lost = s.on_lost == "stop" ? when_lost::stop : s.on_lost == "hold" ? when_lost::hold : when_lost::go_on;
+    all.on_lost = s.on_lost == "stop"   ? when_lost::stop
+                  : s.on_lost == "hold" ? when_lost::hold
+                                        : when_lost::go_on;
     return all;
   }
 

@@ -22,7 +22,8 @@ template <template <class> class Host, class Graph>
 struct program_recorder<Host<Graph>> {
   // `waits`: it is a fast run, so the loop may wait for the file; for those who look on, it never does.
   program_recorder(Host<Graph>& c, const std::string& file, std::vector<std::string> scopes, bool waits)
-      : recorder(c, file,
+      : recorder(c,
+                 file,
                  {.scopes = std::move(scopes),
                   .waits = waits && !file.empty(),
                   .looks_every = std::chrono::microseconds(file.empty() ? 500 : 2000),

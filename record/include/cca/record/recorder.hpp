@@ -12,8 +12,8 @@
 // Until close() it is written to trot.mcap.part, and an older trot.mcap stays. A program that crashes leaves
 // the part, which can be read and replayed up to its last second (base/system/output_file.hpp).
 //
-// Without a file it gives its messages to the sinks that are added: a door (docs/door.md). A file may begin and
-// end meanwhile.
+// Without a file it gives its messages to the sinks that are added: a door (docs/door.md). A file may begin
+// and end meanwhile.
 //
 // Errors: std::system_error if the file can't be opened, cca::refused for a scope without ports and if
 // another program writes the file. If writing fails later, for example on a full disk, the loop goes on, and
@@ -96,8 +96,8 @@ public:
     begin();
   }
 
-  // Who else gets what is recorded. A sink that comes late gets the last message of the channels that are kept.
-  // From any thread.
+  // Who else gets what is recorded. A sink that comes late gets the last message of the channels that are
+  // kept. From any thread.
   void add(message_sink& one) { outlets.add(one); }
   void remove(message_sink& one) { outlets.remove(one); }
 

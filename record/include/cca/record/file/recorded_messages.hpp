@@ -78,9 +78,9 @@ public:
     const std::string text = architecture_text<Graph>();
     if constexpr (AnyDeployment<Graph>) to_all.metadata("cca.places", places_of<Graph>());
     to_all.metadata("cca.architecture", {{"name", std::string(cca::detail::type_name<Graph>())},
-                                       {"hash", hash_of_architecture(text)},
-                                       {"text", text},
-                                       {"ns_a_beat", std::to_string(period)}});
+                                         {"hash", hash_of_architecture(text)},
+                                         {"text", text},
+                                         {"ns_a_beat", std::to_string(period)}});
     if (!of.environments.empty()) to_all.metadata("cca.environments", of.environments);
     if (!of.modes.empty()) to_all.metadata("cca.modes", of.modes);
     for (int o = 0; o < output_count; ++o) {
@@ -102,11 +102,13 @@ public:
       const schema* const type = is_here ? of.parameters[cca::detail::array_size(n)] : nullptr;
       const std::string path = cca::detail::path_of_node<Graph>(n);
       nodes.push_back(type ? to_all.channel(std::string(parameter_topics) + topic_of(path).substr(1),
-                                          message_type(path) + "_parameters", parameter_schema(*type), {}, is_kept)
+                                            message_type(path) + "_parameters", parameter_schema(*type), {},
+                                            is_kept)
                            : std::uint16_t{0});
     }
     state = to_all.channel(state_topic, "cca/msg/state", "int64 beat\nstring state\n", {}, is_kept);
-    fault = to_all.channel(fault_topic, "cca/msg/fault", "int64 beat\nstring component\nstring reason\n", {}, is_kept);
+    fault = to_all.channel(fault_topic, "cca/msg/fault", "int64 beat\nstring component\nstring reason\n", {},
+                           is_kept);
     view_period = s.viewer_hz > 0 ? static_cast<std::int64_t>(1e9 / s.viewer_hz) : 0;
     const std::string beats = "int64 beat  # the first\nint64 beats\n", environment = "string environment\n";
     lost = to_all.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats);
@@ -118,19 +120,19 @@ public:
       if (s.viewer_hz > 0) body.emplace(to_all, cca::detail::space_of_output<Graph>);
     if constexpr (cca::detail::has_free_running<Graph>) {
       freely = to_all.channel(freely_topic, "cca/msg/free_running",
-                            "int64 beat  # from which on they ran at wall-clock speed\n"
-                            "bool freely  # false: or in a fast run again\n");
+                              "int64 beat  # from which on they ran at wall-clock speed\n"
+                              "bool freely  # false: or in a fast run again\n");
       dropped = to_all.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n");
     }
     if (!of.modes.empty())
       mode = to_all.channel(mode_topic, "cca/msg/mode",
-                          "int64 beat  # from which on it is active\nstring mode\n"
-                          "bool requested  # by a component\n",
-                          {}, is_kept);
+                            "int64 beat  # from which on it is active\nstring mode\n"
+                            "bool requested  # by a component\n",
+                            {}, is_kept);
     if (cca::detail::counts_of<Graph>.part_count > 0)
       part = to_all.channel(part_topic, "cca/msg/part",
-                          "int64 beat  # from which on it rests, or runs again\nstring part\n"
-                          "bool stopped\nbool requested  # by a component\n");
+                            "int64 beat  # from which on it rests, or runs again\nstring part\n"
+                            "bool stopped\nbool requested  # by a component\n");
   }
 
   void note(const std::string& name, const text_map& entries) { to_all.metadata(name, entries); }
@@ -156,7 +158,7 @@ public:
       double sample[most_coordinates];
       std::memcpy(sample, frame + layout.at[at], 8u * static_cast<std::size_t>(layout.size[at]));
       to_all.message(v.channel, time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
-                   v.message.made_of(sample, origin));
+                     v.message.made_of(sample, origin));
     }
   }
 
@@ -189,7 +191,7 @@ private:
   static std::uint64_t time_of(std::int64_t k) { return static_cast<std::uint64_t>(k * period); }
   std::uint16_t port_channel(const std::string& path, const cca::detail::space_info& space) {
     return to_all.channel(topic_of(path), message_type(space.name), sample_schema(space),
-                        sample_metadata(space));
+                          sample_metadata(space));
   }
 
   void write_sample(int o, std::int64_t origin, const std::int64_t* coordinates, int size, std::int64_t k) {
@@ -197,7 +199,7 @@ private:
     message.add(std::uint32_t{0x0100}).add(k).add(origin);
     message.add_raw(coordinates, 8u * static_cast<std::size_t>(size));
     to_all.message(ports[cca::detail::array_size(o)], time_of(k),
-                 origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin), message.view());
+                   origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin), message.view());
   }
   // Of a free-running environment, in the same beat.
   void write_earlier(int o, const std::int64_t* earlier, int size, std::int64_t k) {

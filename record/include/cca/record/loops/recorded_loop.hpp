@@ -37,11 +37,11 @@ struct recording_state {
 
   settings how;
   std::optional<recorded_messages<Whole>> messages;  // the writing thread's
-  std::vector<std::string> nodes;             // their paths
-  std::vector<std::string> environments{{}};  // of one loop it has no name
-  std::vector<std::string> modes, parts;      // the paths of the parts
-  std::atomic<std::int64_t> lost{0};          // beats
-  std::atomic<std::uint64_t> told{0};         // events
+  std::vector<std::string> nodes;                    // their paths
+  std::vector<std::string> environments{{}};         // of one loop it has no name
+  std::vector<std::string> modes, parts;             // the paths of the parts
+  std::atomic<std::int64_t> lost{0};                 // beats
+  std::atomic<std::uint64_t> told{0};                // events
 };
 
 // A loop, as the thread sees it that writes.
