@@ -31,7 +31,8 @@ std::uint64_t now() {
 double cpu_seconds() {
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
-  return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+  return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 long kilobytes() {
   long pages = 0, resident = 0;
@@ -93,10 +94,13 @@ int main(int count, char** words) {
     else return std::fprintf(stderr, "%s: unknown\n", words[i]), 2;
   }
   door_test::opened one;
-  for (int i = 1; i <= channels; ++i) one.channel(static_cast<std::uint16_t>(i), "/joint" + std::to_string(i));
+  for (int i = 1; i <= channels; ++i)
+    one.channel(static_cast<std::uint16_t>(i), "/joint" + std::to_string(i));
   std::list<reader> readers;
   std::string subscribe = "{\"op\":\"subscribe\",\"subscriptions\":[";
-  for (int i = 1; i <= channels; ++i) subscribe += (i > 1 ? ",{\"id\":" : "{\"id\":") + std::to_string(i) + ",\"channelId\":" + std::to_string(i) + "}";
+  for (int i = 1; i <= channels; ++i)
+    subscribe +=
+        (i > 1 ? ",{\"id\":" : "{\"id\":") + std::to_string(i) + ",\"channelId\":" + std::to_string(i) + "}";
   for (int i = 0; i < clients; ++i) {
     auto& r = readers.emplace_back(one.port());
     r.wire.send(door_test::greeting_of(one.port(), {}));
@@ -129,18 +133,27 @@ int main(int count, char** words) {
   late.reserve(static_cast<std::size_t>(1e6));
   std::uint64_t seen = 0;
   while (!ends) {
-    for (auto& r : readers) r.read([&](std::uint64_t ns) {
-      if (late.size() < late.capacity()) late.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(ns, 0xffffffff)));
-      ++seen;
-    });
+    for (auto& r : readers)
+      r.read([&](std::uint64_t ns) {
+        if (late.size() < late.capacity())
+          late.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(ns, 0xffffffff)));
+        ++seen;
+      });
     std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
   writer.join();
   std::sort(late.begin(), late.end());
-  const auto quantile = [&](double p) { return late.empty() ? 0.0 : 1e-3 * late[static_cast<std::size_t>(p * static_cast<double>(late.size() - 1))]; };
-  const std::uint64_t all = beats * static_cast<std::uint64_t>(channels) * static_cast<std::uint64_t>(clients);
-  std::printf("%d channels at %.0f Hz, %d clients: %.0f messages/s, late %.0f us p50, %.0f us p99, %.0f us most, lost %llu, %.0f %% of a core, memory %ld + %ld KiB\n",
-              channels, rate, clients, static_cast<double>(seen) / seconds, quantile(0.5), quantile(0.99), quantile(1), static_cast<unsigned long long>(all - seen),
-              100 * (cpu_seconds() - cpu) / seconds, memory, kilobytes() - memory);
+  const auto quantile = [&](double p) {
+    return late.empty() ? 0.0
+                        : 1e-3 * late[static_cast<std::size_t>(p * static_cast<double>(late.size() - 1))];
+  };
+  const std::uint64_t all =
+      beats * static_cast<std::uint64_t>(channels) * static_cast<std::uint64_t>(clients);
+  std::printf(
+      "%d channels at %.0f Hz, %d clients: %.0f messages/s, late %.0f us p50, %.0f us p99, %.0f us most, "
+      "lost %llu, %.0f %% of a core, memory %ld + %ld KiB\n",
+      channels, rate, clients, static_cast<double>(seen) / seconds, quantile(0.5), quantile(0.99),
+      quantile(1), static_cast<unsigned long long>(all - seen), 100 * (cpu_seconds() - cpu) / seconds, memory,
+      kilobytes() - memory);
   return checks && (seen != all || quantile(0.99) > 2000) ? 1 : 0;
 }

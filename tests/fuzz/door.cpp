@@ -1,6 +1,6 @@
-// A door without its network: a greeting is refused, unfinished or right; messages of clients with and without
-// the token never change what they may not, and what the controller is asked for is within its ranges. What
-// goes back are whole frames, and JSON.
+// A door without its network: a greeting is refused, unfinished or right; messages of clients with and
+// without the token never change what they may not, and what the controller is asked for is within its
+// ranges. What goes back are whole frames, and JSON.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -50,7 +50,8 @@ void check(const std::vector<cca::detail::door_request>& asked, bool has_token, 
       fuzz::must(!one.text.starts_with("/") && ("/" + one.text + "/").find("/../") == std::string::npos);
     for (const auto& [name, value] : one.values) {
       if (one.about == about::call && name == "force") fuzz::must(value.number >= -50 && value.number <= 50);
-      if (one.about == about::set && name == "gait.frequency") fuzz::must(value.number >= 0.1 && value.number <= 5);
+      if (one.about == about::set && name == "gait.frequency")
+        fuzz::must(value.number >= 0.1 && value.number <= 5);
       if (one.about == about::set && name == "gait.gains") fuzz::must(value.numbers.size() == 3);
     }
   }
@@ -60,9 +61,12 @@ void greet(std::string_view bytes) {
   const cca::door_settings settings{.origins = {"https://lab.example"}};
   const auto g = net::read_greeting(bytes, {"127.0.0.1", 8765}, settings, {}, 100);
   using is = net::greeting::is;
-  fuzz::must(g.what == is::more ? g.answer.empty() : g.answer.starts_with("HTTP/1.1 ") && g.answer.ends_with(g.what == is::refused ? "\n" : "\r\n\r\n"));
+  fuzz::must(g.what == is::more ? g.answer.empty()
+                                : g.answer.starts_with("HTTP/1.1 ") &&
+                                      g.answer.ends_with(g.what == is::refused ? "\n" : "\r\n\r\n"));
   fuzz::must(g.used <= bytes.size());
-  if (g.what == is::connection) fuzz::must(g.answer.starts_with("HTTP/1.1 101 ") && g.answer.find(token) == std::string::npos);
+  if (g.what == is::connection)
+    fuzz::must(g.answer.starts_with("HTTP/1.1 101 ") && g.answer.find(token) == std::string::npos);
 }
 
 }  // namespace
@@ -113,7 +117,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   const auto noted = controls.noted();
-  const bool took = commands || std::any_of(noted.begin(), noted.end(), [](const auto& one) { return one.ends_with("takes the command"); });
+  const bool took = commands || std::any_of(noted.begin(), noted.end(), [](const auto& one) {
+                      return one.ends_with("takes the command");
+                    });
   check(controls.asked(), has_token, took);
   hub.leave(c, now);
   controls.answers(door_test::fake_controls::how::done);
