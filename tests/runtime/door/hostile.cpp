@@ -213,6 +213,20 @@ TEST_CASE("Random bytes after the greeting, and instead of it, change nothing") 
   CHECK(one.controls.asked().empty());
 }
 
+TEST_CASE("A fault behind the door ends neither the program nor the door") {
+  opened one;
+  client c(one.port(), token);
+  c.subscribe(1, 60001);
+  CHECK(c.waits([&] { return !c.samples.empty(); }));
+  one.controls.throws = true;
+  std::this_thread::sleep_for(300ms);
+  CHECK(works(one));
+  one.controls.throws = false;
+  c.read(1ms);
+  c.samples.clear();
+  CHECK(c.waits([&] { return !c.samples.empty(); }));
+}
+
 TEST_CASE("A door closes while clients are connected, with a word") {
   auto one = std::make_unique<opened>();
   client c(one->port(), token);
