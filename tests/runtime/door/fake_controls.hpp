@@ -5,6 +5,7 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,7 @@ public:
 
   const cca::detail::door_description& description() const override { return text; }
   cca::detail::door_status status() const override {
+    if (throws) throw std::runtime_error("the fake throws");
     const std::scoped_lock lock(guard);
     auto now = state;
     now.beat = ++beats;
@@ -80,6 +82,7 @@ public:
   }
 
   // For the thread of the test.
+  std::atomic<bool> throws{false};
   void answers(how now) {
     const std::scoped_lock lock(guard);
     answer = now;

@@ -144,7 +144,7 @@ TEST_CASE("A client that floods is dropped, by messages or by bytes") {
   CHECK(many.closed_with == 1008);
   CHECK(many.why_closed == "this client sends too much: at most 1000 messages a second");
   client large(one.port());
-  for (int i = 0; i < 40; ++i) large.wire.send(frame_of(0x81, std::string(60000, ' ')));
+  for (int i = 0; i < 1000 && large.wire.send(frame_of(0x81, std::string(60000, ' '))); ++i) {}
   CHECK(large.waits([&] { return large.closed_with != 0; }));
   CHECK(large.closed_with == 1008);
   client pings(one.port());
@@ -211,6 +211,20 @@ TEST_CASE("Random bytes after the greeting, and instead of it, change nothing") 
   }
   CHECK(soon([&] { return works(one); }));
   CHECK(one.controls.asked().empty());
+}
+
+TEST_CASE("A fault behind the door ends neither the program nor the door") {
+  opened one;
+  client c(one.port(), token);
+  c.subscribe(1, 60001);
+  CHECK(c.waits([&] { return !c.samples.empty(); }));
+  one.controls.throws = true;
+  std::this_thread::sleep_for(300ms);
+  CHECK(works(one));
+  one.controls.throws = false;
+  c.read(1ms);
+  c.samples.clear();
+  CHECK(c.waits([&] { return !c.samples.empty(); }));
 }
 
 TEST_CASE("A door closes while clients are connected, with a word") {

@@ -319,7 +319,10 @@ TEST_CASE("A slow client loses the oldest, is told how many, and keeps the last 
   CHECK(slow.samples.size() < 2000);
   std::uint64_t last = 0;
   for (const auto& s : slow.samples)
-    if (s.subscription == 1) CHECK(s.time >= last), last = s.time;
+    if (s.subscription == 1) {
+      CHECK(s.time >= last);
+      last = s.time;
+    }
   CHECK(last == 1999);  // the newest came
   CHECK_FALSE(quick.is_told("slow", 10ms));
 }

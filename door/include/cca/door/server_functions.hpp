@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <list>
 #include <memory>
 #include <string>
@@ -37,9 +38,9 @@ struct door_server::inside {
   using connection = door_network::connection;
   using shared = std::shared_ptr<connection>;
 
-  inside(const door_settings& given, door_controls& of, const door_limits& all)
+  inside(const door_settings& given, door_controls& of, const door_limits& most)
       : settings(given),
-        limits(all),
+        limits(most),
         controls(of),
         token(door_network::token_of(given)),
         page(door_network::page_of(given.page)) {
@@ -95,7 +96,15 @@ struct door_server::inside {
     hub = std::make_unique<door_network::hub>(settings, limits, controls, token, keys, is_for_others, wanted);
     accept();
     wait_regularly();
-    io.run();
+    for (bool runs = true; runs;) {
+      try {
+        io.run();
+        runs = false;
+      } catch (
+          const std::exception& e) {  // no memory, or a fault of the door: it must not end a robot's program
+        std::fprintf(stderr, "door: %s\n", e.what());
+      }
+    }
   }
 
   void accept() {
@@ -107,16 +116,16 @@ struct door_server::inside {
           if (!is_ending) accept();
         });
       }
+      accept();  // first: whatever happens below, the next one is let in
       // More than that are closed at once: they cost nothing.
       if (all.size() - greeted < limits.half_open) begin(std::move(socket));
-      accept();
     });
   }
 
   void begin(tcp::socket socket) {
     error ignored;
-    socket.non_blocking(true, ignored);
-    socket.set_option(tcp::no_delay(true), ignored);
+    static_cast<void>(socket.non_blocking(true, ignored));
+    static_cast<void>(socket.set_option(tcp::no_delay(true), ignored));
     const auto c = all.emplace_back(
         std::make_shared<connection>(std::move(socket), limits.message, now() + limits.greeting_time));
     read(c);
@@ -160,7 +169,7 @@ struct door_server::inside {
   }
   void enter(const shared& c, const door_network::greeting& hello, const tcp::endpoint& there) {
     error ignored;
-    c->socket.set_option(boost::asio::socket_base::send_buffer_size(1 << 18), ignored);
+    static_cast<void>(c->socket.set_option(boost::asio::socket_base::send_buffer_size(1 << 18), ignored));
     ++greeted;
     c->client = &hub->enter(door_network::text_of(there), hello, now());
     const std::string rest = c->greeting.substr(hello.used);
@@ -211,7 +220,7 @@ struct door_server::inside {
       if (c->ends_after_write) {
         // It reads until the other side has closed, or a moment: else the last words could be lost.
         error ignored;
-        c->socket.shutdown(tcp::socket::shutdown_send, ignored);
+        static_cast<void>(c->socket.shutdown(tcp::socket::shutdown_send, ignored));
         c->deadline = std::min(c->deadline, now() + std::chrono::seconds(1));
         return;
       }
@@ -222,9 +231,9 @@ struct door_server::inside {
     if (!c->is_open) return;
     c->is_open = false;
     error ignored;
-    c->socket.close(ignored);
+    static_cast<void>(c->socket.close(ignored));
     all.remove(c);
-    if (!c->client) return;
+    if (!c->client || is_ending) return;
     --greeted;
     hub->leave(*std::exchange(c->client, nullptr), now());
     if (hub->is_busy()) tick_soon();
@@ -256,6 +265,7 @@ struct door_server::inside {
     regular.expires_after(std::chrono::milliseconds(20));
     regular.async_wait([this](error) {
       if (is_ending) return;
+      wait_regularly();
       if (const std::uint64_t time = box.time(); time != told_time) hub->time(told_time = time);
       if (++rounds % 5 == 0) {
         const auto moment = now();
@@ -266,23 +276,31 @@ struct door_server::inside {
         }
       }
       send_all();
-      wait_regularly();
     });
   }
 
-  // The program ends: nothing that a client held is the door's to release.
+  // The program ends: nothing that a client held is the door's to release. Each client gets a last word, if
+  // it reads it within a moment.
   void end_all() {
     is_ending = true;
     error ignored;
-    acceptor.close(ignored);
-    regular.cancel(), soon.cancel(), later.cancel();
+    static_cast<void>(acceptor.close(ignored));
+    regular.cancel(), soon.cancel();
+    for (const shared& c : all)
+      if (c->client) c->client->close(door_network::going_away, "the program ends");
+    send_all();
+    wait_for_last_words(60);
+  }
+  void wait_for_last_words(int left) {
+    if (left > 0 &&
+        std::any_of(all.begin(), all.end(), [](const shared& c) { return c->client && c->is_writing; })) {
+      later.expires_after(std::chrono::milliseconds(5));
+      return later.async_wait([this, left](error) { wait_for_last_words(left - 1); });
+    }
     for (const shared& c : all) {
+      error ignored;
       c->is_open = false;
-      std::string bye;
-      door_network::add_frame(bye, door_network::frame_kind::close,
-                              std::string("\x03\xe9", 2) + "the program ends");
-      if (c->client && !c->is_writing) c->socket.write_some(boost::asio::buffer(bye), ignored);
-      c->socket.close(ignored);
+      static_cast<void>(c->socket.close(ignored));
     }
     all.clear();
   }

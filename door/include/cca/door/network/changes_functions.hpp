@@ -117,7 +117,7 @@ inline void hub::request(
   const auto wanted = request_of(of, given, why);
   const bool is_stop = of.about == door_request::what::end_run;
   if (wanted && !is_stop && requests.is_full()) why = "too many requests wait for the controller: try again";
-  if (!why.empty()) {
+  if (!wanted || !why.empty()) {
     log(c.name, "refused: " + why, false);
     return answer(c.id, one, {door_outcome::how::refused, why});
   }

@@ -34,7 +34,7 @@ private:
 
 class shown_channels {
 public:
-  explicit shown_channels(wanted_channels& all) : wanted(all) {
+  explicit shown_channels(wanted_channels& of) : wanted(of) {
     add({.id = status_channel, .topic = "/cca/status", .type = "cca.status", .schema = status_schema()});
     add({.id = log_channel, .topic = "/cca/log", .type = "cca.log", .schema = log_schema()});
   }

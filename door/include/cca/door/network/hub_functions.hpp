@@ -92,7 +92,7 @@ inline void hub::message(door_client& c, frame_kind kind, std::string_view paylo
 inline void hub::text(door_client& c, std::string_view payload, time_point now) {
   const auto m = read_json(payload, limits.depth);
   const std::string op = m ? text_member(*m, "op") : std::string();
-  if (op.empty())
+  if (!m || op.empty())
     return c.say(status_message(
         2, "expected an object of JSON with `op`, at most " + std::to_string(limits.depth) + " deep"));
   if (op == "cca.token") return show_token(c, text_member(*m, "token"));

@@ -66,7 +66,8 @@ public:
     }
     if (now) {
       std::string payload = "\2";
-      add_number(payload, *std::exchange(now, {}));
+      add_number(payload, *now);
+      now.reset();
       add_frame(to, frame_kind::binary, payload);
     }
     std::size_t size = 0;

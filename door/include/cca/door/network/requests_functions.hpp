@@ -78,7 +78,8 @@ private:
       return;
     door_outcome outcome = controls.begin(waiting.front().request);
     if (outcome.is == door_outcome::how::busy) return;
-    door_task other = *std::exchange(current, {});
+    door_task other = *std::move(current);
+    current.reset();
     begin(std::move(outcome));
     if (on_end) on_end(other, {door_outcome::how::refused, "the run was stopped"}, nullptr, nullptr, is_late);
     if (ended) end(nullptr, now);
@@ -91,17 +92,17 @@ private:
       ended = std::move(outcome);
     }
     if (current) {
-      std::optional<values> after;
-      if (current->may_set && ended->is == door_outcome::how::done && !(after = controls.parameters()))
-        return false;
+      const bool compares = current->may_set && ended && ended->is == door_outcome::how::done;
+      const auto after = compares ? controls.parameters() : std::nullopt;
+      if (compares && !after) return false;
       end(after ? &*after : nullptr, now);
       return true;
     }
     if (waiting.empty()) return false;
     door_task& first = waiting.front();
-    before.reset();
-    if (first.may_set && !(before = controls.parameters())) return false;
-    if (first.prepare)
+    before = first.may_set ? controls.parameters() : std::nullopt;
+    if (first.may_set && !before) return false;
+    if (first.prepare && before)
       if (std::string why = first.prepare(*before, first.request); !why.empty()) {
         begin({door_outcome::how::refused, std::move(why)});
         return true;
@@ -118,8 +119,10 @@ private:
     if (outcome.is != door_outcome::how::begun) ended = std::move(outcome);
   }
   void end(const values* after, time_point now) {
-    door_task task = *std::exchange(current, {});
-    const door_outcome outcome = *std::exchange(ended, {});
+    if (!current || !ended) return;
+    door_task task = *std::move(current);
+    const door_outcome outcome = *std::move(ended);
+    current.reset(), ended.reset();
     last_end = now;
     if (on_end) on_end(task, outcome, before ? &*before : nullptr, after, is_late);
   }

@@ -103,7 +103,7 @@ inline std::string range_text(std::optional<double> lower,
   const std::string behind = unit.empty() ? "" : " " + unit;
   if (lower && upper) return "from " + number_text(*lower) + " to " + number_text(*upper) + behind;
   if (lower) return "at least " + number_text(*lower) + behind;
-  return "at most " + number_text(*upper) + behind;
+  return "at most " + number_text(upper.value_or(0)) + behind;
 }
 inline bool is_within(double number, std::optional<double> lower, std::optional<double> upper) {
   return !(lower && number < *lower) && !(upper && number > *upper);
