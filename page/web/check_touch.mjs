@@ -21,12 +21,13 @@ export async function checkTouch(tools) {
   check('touch: in the first beat the arm is guided', (await current()) === 'guided', await current());
   check('touch: there are no footfalls', !(await page.$eval('#footfalls', (e) => e.offsetParent)), 'hidden');
 
-  // As the program, from the first beat to the last step.
+  // As the program, from the first beat to the last step: the same bits, of which the file has twelve digits.
+  const asInFile = (v) => Number(v.toPrecision(12));
   const compare = async (seconds, name) => {
     await runAhead(page, seconds - (await number(page, '#beat')) / 1000);
     const here = await shown(), there = nativeAt(seconds);
-    check(`touch: ${name} (${seconds} s): hand and step are the program’s`, here.step === there.step && ['x', 'y', 'z'].every((axis, i) => near(here.place[i], there[axis], 1e-6)), { page: here, program: there });
-    check(`touch: ${name} (${seconds} s): the force is the program’s`, ['force_x', 'force_y', 'force_z'].every((axis, i) => near(here.force[i], there[axis], 1e-3)), { page: here.force, program: [there.force_x, there.force_y, there.force_z] });
+    check(`touch: ${name} (${seconds} s): hand and step are the program’s`, here.step === there.step && ['x', 'y', 'z'].every((axis, i) => asInFile(here.place[i]) === there[axis]), { page: here, program: there });
+    check(`touch: ${name} (${seconds} s): the force is the program’s`, ['force_x', 'force_y', 'force_z'].every((axis, i) => asInFile(here.force[i]) === there[axis]), { page: here.force, program: [there.force_x, there.force_y, there.force_z] });
     return here;
   };
   const at = (step, before) => +(ended(step).time - before).toFixed(2);
