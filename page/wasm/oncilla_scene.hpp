@@ -7,9 +7,9 @@
 
 #include <array>
 
-#include <Eigen/Geometry>
-
 #include <cca/base/math.hpp>
+#include <cca/mapping/kinematics.hpp>
+#include <cca/space/methods/rotation.hpp>
 #include <cca/sim/oncilla/asked_by_leg.hpp>
 #include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/oncilla/kinematics.hpp>
@@ -37,8 +37,8 @@ struct oncilla_scene {
     const auto body = [&](int link, const link_inertia& of) {
       const rigid f = w.frame(link).where;
       const Eigen::Vector3d at = f.at + f.turn * cca::detail::as_vector(of.centre);
-      const Eigen::Quaterniond q(f.turn);
-      for (const double x : {at[0], at[1], at[2], q.w(), q.x(), q.y(), q.z()}) *to++ = x;
+      const Eigen::Vector4d q = rotation::from_matrix<double>(f.turn);
+      for (const double x : {at[0], at[1], at[2], q[3], q[0], q[1], q[2]}) *to++ = x;
     };
     const auto& links = w.model().links;
     body(-1, w.model().base);

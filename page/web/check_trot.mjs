@@ -53,6 +53,16 @@ export async function checkTrot(tools) {
   check('the position shown is that of the world inside', inside.shown.every((t, i) => t === inside.world[i].toFixed(4)), inside);
   const drawn = await page.evaluate(() => { const p = window.ccaPage.robot.bodies[0].position; return [p.x, p.y, p.z]; });
   check('the trunk is drawn where the world has it', drawn.every((v, i) => near(v, inside.world[i], 1e-9)), drawn);
+  const legs = await page.evaluate(() => {
+    const { robot, source } = window.ccaPage, { bodies } = source.description.robot;
+    // An end of a segment: a body lies along its z axis.
+    const end = (i, side) => robot.bodies[i].position.clone().add(robot.bodies[i].position.clone().set(0, 0, (side * bodies[i].size[1]) / 2).applyQuaternion(robot.bodies[i].quaternion));
+    return [0, 1, 2, 3].map((leg) => {
+      const upper = 1 + 4 * leg, foot = source.poses.subarray(119 + 6 * leg, 122 + 6 * leg);
+      return { knee: end(upper, -1).distanceTo(end(upper + 1, 1)), ankle: end(upper + 1, -1).distanceTo(end(upper + 2, 1)), foot: robot.bodies[upper + 3].position.distanceTo({ x: foot[0], y: foot[1], z: foot[2] }) };
+    });
+  });
+  check('the segments of each leg are drawn joint to joint, and its foot where the world has it', legs.every((l) => l.knee < 1e-9 && l.ankle < 1e-9 && l.foot < 1e-9), legs);
   check('it has not fallen', !native.fell && (await text(page, '#alert')) === '', await text(page, '#alert'));
   const stance = await page.evaluate(() => window.ccaPage.source && document.getElementById('stance').textContent);
   check('footfalls: each foot stands for a part of the stride', (stance.match(/\d+ %/g) ?? []).every((p) => parseInt(p) > 30 && parseInt(p) < 85) && stance.includes('left front'), stance);
