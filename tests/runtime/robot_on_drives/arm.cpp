@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <type_traits>
 
 #include <doctest/doctest.h>
 
@@ -68,6 +69,8 @@ struct compiled_on_canopen {
   using robot = on_canopen::robot;
   using world = cca::sim::compiled;
 };
+static_assert(std::is_same_v<cca::sim::plant<arm::description, cca::sim::compiled>::world_type,
+                             cca::sim::compiled_world<arm::description>>);
 static_assert(cca::well_formed<on_canopen> && cca::well_formed<on_moteus>);
 static_assert(cca::embodied<arm::body, touch::on_canopen::robot<hw::virtual_bus_end>>);
 
