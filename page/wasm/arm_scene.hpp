@@ -72,11 +72,8 @@ struct arm_scene {
 
   // `boxes`: how many the scene has. `radius`: of the tool, a sphere in front of the hand.
   template <class World>
-  static void poses_of(const World& w,
-                       const std::vector<drawn_body>& bodies,
-                       std::size_t boxes,
-                       double radius,
-                       double* to) {
+  static void poses_of(
+      const World& w, const std::vector<drawn_body>& bodies, std::size_t boxes, double radius, double* to) {
     for (const drawn_body& b : bodies) {
       const rigid f = w.frame(b.link).where;
       const Eigen::Vector3d at = f.turn * b.where.at + f.at;

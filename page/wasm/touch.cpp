@@ -11,8 +11,8 @@
 namespace {
 
 using arm_world = cca::sim::compiled_world<touch::arm::description>;
-struct watched_arm
-    : touch::architecture<cca::sim::robot<touch::arm::description, cca::sim::compiled>>, cca::recordable {};
+struct watched_arm : touch::architecture<cca::sim::robot<touch::arm::description, cca::sim::compiled>>,
+                     cca::recordable {};
 using touching = cca::controller<watched_arm>;
 
 struct scene : cca::page::arm_scene {
@@ -39,7 +39,8 @@ struct scene : cca::page::arm_scene {
   }
   void extra(const touching& c, double* to) { extra_of(world_of(c), to); }
   void poses(const touching& c, double* to) {
-    poses_of(world_of(c), bodies, touch::scene::room().boxes.size(), touch::arm::description::tool_radius, to);
+    poses_of(world_of(c), bodies, touch::scene::room().boxes.size(), touch::arm::description::tool_radius,
+             to);
   }
   void push(touching& c, double x, double y, double z, double seconds) {
     run.around.another = {x, y, z};

@@ -137,7 +137,8 @@ public:
   }
 
   cca::controller<typename Case::graph> controller{};
-  hw::virtual_hardware<typename Case::robot, cca::sim::plant<arm::description, typename Case::world>> far{synchronizer()};
+  hw::virtual_hardware<typename Case::robot, cca::sim::plant<arm::description, typename Case::world>> far{
+      synchronizer()};
   std::array<double, count> most_asked{};
   bool always_finite = true;
 
@@ -168,7 +169,8 @@ bool within_limits(const lab<Case>& l) {
 }  // namespace
 
 TEST_SUITE("the arm on drives") {
-  TEST_CASE_TEMPLATE("torques of gravity hold it where it was put", G, on_canopen, on_moteus, compiled_on_canopen) {
+  TEST_CASE_TEMPLATE("torques of gravity hold it where it was put", G, on_canopen, on_moteus,
+                     compiled_on_canopen) {
     const auto l = std::make_unique<lab<G>>();
     l->run();
     l->beats(1000);

@@ -94,8 +94,7 @@ template <class World = sim::robot_world>
 struct lab {
   static constexpr std::size_t count = joints::count;
   using plant = sim::plant<oncilla::description, World>;
-  static_assert(count == 12 &&
-                hw::virtual_hardware<on_virtual_buses, plant>::buses == 7);
+  static_assert(count == 12 && hw::virtual_hardware<on_virtual_buses, plant>::buses == 7);
 
   explicit lab(typename plant::world_type&& on_ground) {
     far.plant.hold = sim::held_by::stand;  // until all drives have been enabled

@@ -34,8 +34,9 @@ TEST_SUITE("touch on drives") {
     check<touch::with_canopen, touch::behind_canopen>();
   }
   TEST_CASE("the same in compiled physics") {
-    check<touch::with_canopen, touch::on_virtual_drives<touch::on_canopen::robot<cca::hardware::virtual_bus_end>,
-                                                        cca::sim::compiled>>();
+    check<touch::with_canopen,
+          touch::on_virtual_drives<touch::on_canopen::robot<cca::hardware::virtual_bus_end>,
+                                   cca::sim::compiled>>();
   }
   TEST_CASE("moteus: the whole run, within all bounds") { check<touch::with_moteus, touch::behind_moteus>(); }
 }
