@@ -3,7 +3,7 @@
 // otherwise.
 #include <cca/sim/robot.hpp>
 
-#include "any_engine.hpp"
+#include "engines/any.hpp"
 
 namespace touch {
 

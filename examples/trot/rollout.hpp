@@ -3,7 +3,7 @@
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla.hpp>
 
-#include "any_engine.hpp"
+#include "engines/any.hpp"
 
 namespace trot {
 

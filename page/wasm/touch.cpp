@@ -3,7 +3,7 @@
 #include <cca/cca.hpp>
 #include <cca/sim/compiled/robot.hpp>
 
-#include "any_engine.hpp"
+#include "engines/any.hpp"
 
 #include "arm_scene.hpp"
 #include "live_graph.hpp"

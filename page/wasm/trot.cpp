@@ -2,7 +2,7 @@
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
 
-#include "any_engine.hpp"
+#include "engines/any.hpp"
 
 #include "live_graph.hpp"
 #include "oncilla_scene.hpp"

@@ -4,7 +4,7 @@
 
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
 
-#include "../../../examples/trot/any_engine.hpp"
+#include "../../../examples/trot/engines/any.hpp"
 
 struct simulated_trot : trot::architecture<cca::sim::compiled_oncilla>, cca::recordable {};
 

@@ -12,9 +12,9 @@
 #include <cca/sim/engine/terrain.hpp>
 #include <cca/sim/robot/model/robot_world_settings.hpp>
 
-#include "architecture.hpp"
-#include "report/goes_on.hpp"
-#include "report/recording.hpp"
+#include "../architecture.hpp"
+#include "../report/goes_on.hpp"
+#include "../report/recording.hpp"
 
 namespace trot {
 

@@ -6,10 +6,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "architecture.hpp"
-#include "learn.hpp"
-#include "referee.hpp"
-#include "scene.hpp"
+#include "../architecture.hpp"
+#include "../learn.hpp"
+#include "../referee.hpp"
+#include "../scene.hpp"
 
 namespace touch {
 

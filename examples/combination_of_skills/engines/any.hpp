@@ -11,9 +11,9 @@
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla/disturbance.hpp>
 
-#include "architecture.hpp"
-#include "../trot/report/goes_on.hpp"
-#include "referee.hpp"
+#include "../architecture.hpp"
+#include "../../trot/report/goes_on.hpp"
+#include "../referee.hpp"
 
 namespace skills {
 
