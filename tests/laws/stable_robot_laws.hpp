@@ -2,6 +2,7 @@
 // is at rest, whatever its masses, dampings, springs, servos and rate.
 //
 //   comes_to_rest(model)     the worst of what it did; its `trouble` names what a world found itself
+//   comes_to_rest_in(world)  the same of a world of either engine
 //   random_stiff_robot(random, hz)   light and heavy links, dampings and stiffnesses over many decades
 #pragma once
 
@@ -20,17 +21,16 @@ namespace laws {
 
 struct rest {
   std::string trouble;
-  double beyond_stop = 0;  // rad or m, at most
-  double speed = 0;        // rad/s or m/s, at the end, at most
-  double chatter = 0;      // how much a speed changes in the last 20 beats, at most
+  double beyond_stop = 0;    // rad or m, at most
+  double speed = 0;          // rad/s or m/s, at the end, at most
+  double chatter = 0;        // how much a speed changes in the last 20 beats, at most
+  std::vector<double> pose;  // of the coordinates, at the end
 };
 
-inline rest comes_to_rest(const cca::sim::robot_model& model,
-                          const std::vector<cca::sim::joint_law>& drives = {},
-                          double seconds = 10,
-                          const cca::sim::robot_world_settings& settings = {}) {
-  cca::sim::robot_world w(model, {}, settings);
+template <class World>  // a robot_world or a compiled_world
+rest comes_to_rest_in(World w, const std::vector<cca::sim::joint_law>& drives = {}, double seconds = 10) {
   rest seen;
+  const cca::sim::robot_model& model = w.model();
   const std::size_t count = w.joints().size();
   std::vector<double> least(count, 1e300), most(count, -1e300);
   const auto beats = static_cast<int>(seconds / model.beat);
@@ -48,9 +48,16 @@ inline rest comes_to_rest(const cca::sim::robot_model& model,
   for (std::size_t c = 0; c < count; ++c) {
     seen.speed = std::max(seen.speed, std::abs(w.joints()[c].velocity));
     seen.chatter = std::max(seen.chatter, most[c] - least[c]);
+    seen.pose.push_back(w.joints()[c].angle);
   }
   if (w.trouble()) seen.trouble = w.trouble_text();
   return seen;
+}
+inline rest comes_to_rest(const cca::sim::robot_model& model,
+                          const std::vector<cca::sim::joint_law>& drives = {},
+                          double seconds = 10,
+                          const cca::sim::robot_world_settings& settings = {}) {
+  return comes_to_rest_in(cca::sim::robot_world(model, {}, settings), drives, seconds);
 }
 
 // Uniform over the decades.
