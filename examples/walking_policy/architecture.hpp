@@ -12,11 +12,12 @@ namespace walking {
 
 // [architecture]
 // The policy at 100 Hz, between a clock and a robot at 1 kHz.
-struct learned_gait : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
+template <class Policy>
+struct gait_of : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
                                  cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
                                  cca::node<"clock", clock, cca::timed<period>>,
                                  cca::node<"attitude", attitude, cca::timed<period>>,
-                                 cca::node<"policy", policy, cca::timed<period>>,
+                                 cca::node<"policy", Policy, cca::timed<period>>,
                                  cca::node<"smooth", smooth, cca::timed<1>>,
 
                                  cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
@@ -36,6 +37,7 @@ struct learned_gait : cca::graph<cca::node<"throttle", trot::throttle, cca::time
                                  cca::expose<"clock.clock", "clock">,
                                  cca::expose<"attitude.down", "down">,
                                  cca::expose<"attitude.course", "course">> {};
+struct learned_gait : gait_of<policy> {};
 
 template <class Robot>
 struct architecture : cca::graph<cca::rate<1000>,
