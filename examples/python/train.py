@@ -18,17 +18,11 @@ import time
 import numpy
 
 import oncilla_walk
+import policy
 
 STAND = numpy.radians([45.5, 45.5, 36.1, 36.1, 93.2, 93.2, 87.0, 87.0])  # hips, then knees: where the robot is put down
 REACH = 0.5  # rad that an output of 1 is away from it
 FIRST_JUDGED = 1000  # seeds from here on are those of the judges: no training takes them
-
-
-def tangent(x):
-    """The activation of cca.policy, number for number: cca/mapping/network/feed_forward.hpp."""
-    x = numpy.clip(x, -6.2972, 6.2972)
-    s = x * x
-    return x * ((((s + 990) * s + 135135) * s + 4729725) * s + 34459425) / ((((45 * s + 13860) * s + 945945) * s + 16216200) * s + 34459425)
 
 
 class policies:
@@ -56,15 +50,6 @@ class policies:
             at += rows
         return all_layers
 
-    @staticmethod
-    def answer(layers, observations):
-        x = observations
-        for i, (matrix, bias) in enumerate(layers):
-            x = (matrix @ x[:, :, None])[:, :, 0] + bias
-            if i + 1 < len(layers):
-                x = tangent(x)
-        return STAND + REACH * x
-
 
 def centred_ranks(values):
     ranks = numpy.empty(len(values))
@@ -77,7 +62,7 @@ def returns(env, layers, seed, options, steps):
     observations, _ = env.reset(seed=[seed] * env.num_envs, options=options)
     earned, lost = numpy.zeros(env.num_envs), numpy.zeros(env.num_envs, bool)
     for _ in range(steps):
-        observations, rewards, terminations, _, _ = env.step(policies.answer(layers, observations))
+        observations, rewards, terminations, _, _ = env.step(STAND + REACH * policy.answer(layers, observations))
         earned += rewards
         lost |= terminations
         if lost.all():
@@ -114,7 +99,7 @@ def main():
         earned = returns(env, net.layers(tried), generation % (FIRST_JUDGED - 1) + 1, options, length)
         steps += length * env.num_envs
         worth = centred_ranks(earned)
-        slope = (worth[:a.pairs] - worth[a.pairs:]) @ directions / (2 * a.pairs * a.noise) - 0.002 * mean
+        slope = (worth[:a.pairs] - worth[a.pairs:]) @ directions / (2 * a.pairs * a.noise) - 0.002 * mean  # small weights are worth more, too
         first += 0.1 * (slope - first)
         second += 0.01 * (slope ** 2 - second)
         mean = mean + a.rate * (first / (1 - 0.9 ** generation)) / (numpy.sqrt(second / (1 - 0.99 ** generation)) + 1e-8)

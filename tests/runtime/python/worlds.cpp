@@ -17,7 +17,7 @@ struct on_its_own : balanced<balance> {};
 // Holds the pole upright, not too well.
 template <class Parameters>
 void give_weights(Parameters& w) {
-  const double layers[] = {1, 0.2, -1, 0.3, 0.5, 0.2, 0.1, 0, 0, -1.5, -0.5, 1.2, 0.01};
+  const double layers[] = {2, 1, 3, 0.6, 0.3, 0.9, 0, 0, 0, -4, -4, -4, 0.01};
   std::copy(std::begin(layers), std::end(layers), w.weights.begin());
 }
 
