@@ -1,7 +1,7 @@
-// How many steps of a policy at 50 Hz a second of one core makes: the trot of the Oncilla with its motor laws,
-// 20 beats a step, as worlds of Python make them (cca/python/worlds.hpp); the same laws in MuJoCo; and the
-// physics alone, in lanes of different phases of the trot if BENCH_LANES is defined, with everything else left
-// out.
+// How many steps of a policy at 50 Hz a second of one core makes: the trot of the Oncilla with its motor
+// laws, 20 beats a step, as worlds of Python make them (cca/python/worlds.hpp); the same laws in MuJoCo; and
+// the physics alone, in lanes of different phases of the trot if BENCH_LANES is defined, with everything else
+// left out.
 //
 //   physics_worlds
 //
@@ -41,22 +41,23 @@ using inputs = cca::policy_inputs<cca::in<"orientation", oncilla::trunk_orientat
 struct steady {
   auto process(cca::in<"angles", oncilla::leg_angles>) -> cca::out<"reward", python::reward> { return 1.0; }
 };
-struct in_python : cca::graph<cca::node<"policy", python::stand_in_of<inputs, slow_angles>, cca::timed<20>>,
-                              cca::node<"smooth", cca::interpolate<slow_angles, oncilla::leg_angles>, cca::timed<1>>,
-                              cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
-                              cca::node<"robot", sim::robot<walking, sim::compiled>>,
-                              cca::node<"judge", steady>,
-                              cca::node<"score", python::score>,
-                              cca::wire<"robot.orientation", "policy.orientation", cca::latest>,
-                              cca::wire<"robot.angular_velocity", "policy.rates", cca::latest>,
-                              cca::wire<"robot.angles", "policy.angles", cca::latest>,
-                              cca::wire<"robot.velocities", "policy.velocities", cca::latest>,
-                              cca::wire<"policy.output", "smooth.input", cca::latest>,
-                              cca::wire<"smooth.output", "limits.command">,
-                              cca::wire<"robot.angles", "limits.measured">,
-                              cca::wire<"limits.safe", "robot.command">,
-                              cca::wire<"robot.angles", "judge.angles">,
-                              cca::wire<"judge.reward", "score.reward">> {};
+struct in_python
+    : cca::graph<cca::node<"policy", python::stand_in_of<inputs, slow_angles>, cca::timed<20>>,
+                 cca::node<"smooth", cca::interpolate<slow_angles, oncilla::leg_angles>, cca::timed<1>>,
+                 cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
+                 cca::node<"robot", sim::robot<walking, sim::compiled>>,
+                 cca::node<"judge", steady>,
+                 cca::node<"score", python::score>,
+                 cca::wire<"robot.orientation", "policy.orientation", cca::latest>,
+                 cca::wire<"robot.angular_velocity", "policy.rates", cca::latest>,
+                 cca::wire<"robot.angles", "policy.angles", cca::latest>,
+                 cca::wire<"robot.velocities", "policy.velocities", cca::latest>,
+                 cca::wire<"policy.output", "smooth.input", cca::latest>,
+                 cca::wire<"smooth.output", "limits.command">,
+                 cca::wire<"robot.angles", "limits.measured">,
+                 cca::wire<"limits.safe", "robot.command">,
+                 cca::wire<"robot.angles", "judge.angles">,
+                 cca::wire<"judge.reward", "score.reward">> {};
 
 const recorded_trot& recorded() {
   static const recorded_trot t = trot_of(3);
@@ -153,8 +154,8 @@ int main() {
 #endif
 #ifdef BENCH_MUJOCO
   for (const int steps : {2, 1})
-    for (const auto& [solver, cone] : {std::pair{"Newton", "pyramidal"}, std::pair{"CG", "pyramidal"},
-                                       std::pair{"PGS", "pyramidal"}})
+    for (const auto& [solver, cone] :
+         {std::pair{"Newton", "pyramidal"}, std::pair{"CG", "pyramidal"}, std::pair{"PGS", "pyramidal"}})
       best((std::string("mujoco ") + solver + (steps == 2 ? ", steps of 0.5 ms" : ", steps of 1 ms")).c_str(),
            [&] {
              mujoco_world w(solver, cone, steps);

@@ -1,5 +1,5 @@
-// The policy that Python has trained walks on virtual drives: the architecture of examples/walking_policy with
-// the robot of examples/hardware_in_the_loop, over five CAN buses in memory.
+// The policy that Python has trained walks on virtual drives: the architecture of examples/walking_policy
+// with the robot of examples/hardware_in_the_loop, over five CAN buses in memory.
 //
 //   python_on_drives --weights examples/python/walk.policy
 //

@@ -18,40 +18,40 @@
 namespace training {
 
 // [truth]
-// What no sensor of the robot measures, in the last beat: the speed along the way, m/s; that of the feet's slip,
-// weighted by load, m/s; the power of the motors, in weights of the robot, m/s; whether it has fallen.
+// What no sensor of the robot measures, in the last beat: the speed along the way, m/s; that of the feet's
+// slip, weighted by load, m/s; whether it has fallen.
 struct along : cca::dimension<"along"> {};
 struct slip : cca::dimension<"slip"> {};
-struct power : cca::dimension<"power"> {};
 struct fallen : cca::dimension<"fallen"> {};
-struct true_motion : cca::space<cca::number, cca::axes<along, slip, power, fallen>> {};
+struct true_motion : cca::space<cca::number, cca::axes<along, slip, fallen>> {};
 
 struct truth {
   auto process() -> cca::out<"motion", true_motion> { return now; }
   true_motion::vector_type now = true_motion::vector_type::Zero();
-  double slipped = 0, work = 0;  // N m, J, up to the last beat
+  double slipped = 0;  // N m, up to the last beat
 };
 // [truth end]
 
 // [judge]
-// As fast as commanded, straight on, with little slip and work; a fall ends the episode. At most 1 a second.
+// As fast as commanded, straight on, with little slip; a fall ends the episode. At most 1 a second.
 struct judge {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (cca::quantity<cca::speed, 0, 1>, speed),
                              (cca::quantity<cca::duration, 0, 10>, mean),  // of the speed
-                             (double, turn),  // costs, of rad, m/s and m/s
-                             (double, slip),
-                             (double, power));
+                             (double, turn),                               // what a rad and a m/s cost
+                             (double, slip));
   };
-  parameters p{0.4, 0.3, 1.0, 2.0, 0.15};
+  parameters p{0.4, 0.3, 1.0, 2.0};
 
-  auto process(cca::in<"motion", true_motion> motion, cca::in<"course", walking::course> course, cca::beat now)
+  auto process(cca::in<"motion", true_motion> motion,
+               cca::in<"course", walking::course> course,
+               cca::beat now)
       -> std::tuple<cca::out<"reward", cca::python::reward>, cca::out<"done", cca::python::done>> {
     speed += std::min(1.0, now.dt() / p.mean) * (motion[along{}] - speed);
     const double missing = std::abs(speed - p.speed) / p.speed;
-    const double reward = 1 - std::min(missing, 2.0) - p.turn * std::abs(course[trot::yaw{}]) -
-                          p.slip * motion[slip{}] - p.power * motion[power{}];
+    const double reward =
+        1 - std::min(missing, 2.0) - p.turn * std::abs(course[trot::yaw{}]) - p.slip * motion[slip{}];
     return {now.dt() * reward, motion[fallen{}]};
   }
 
@@ -98,11 +98,9 @@ struct walk : cca::python::task<around_policy<cca::sim::compiled_oncilla>, "gait
     truth& t = c.get<"truth">();
     double slipped = 0;
     for (std::size_t leg = 0; leg < 4; ++leg) slipped += world.foot(leg).slip;
-    const double weight = world.mass() * world.settings().engine.gravity, work = world.positive_work();
-    const double share = 1 / (weight * world.beat);
-    t.now << world.trunk_velocity()[0], share * (slipped - t.slipped), share * (work - t.work),
-        world.fallen();
-    t.slipped = slipped, t.work = work;
+    const double weight = world.mass() * world.settings().engine.gravity;
+    t.now << world.trunk_velocity()[0], (slipped - t.slipped) / (weight * world.beat), world.fallen();
+    t.slipped = slipped;
   }
 };
 // [task end]

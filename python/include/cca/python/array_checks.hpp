@@ -34,7 +34,7 @@ inline py::array_t<double, py::array::c_style> doubles(const py::object& given,
   if (there != shape)
     throw py::value_error(what + " has the shape " + shape_in_words(there) + ", and " +
                           shape_in_words(shape) + " is expected");
-  auto result = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  auto result = py::array_t < double, py::array::c_style | py::array::forcecast > ::ensure(array);
   if (!result) throw py::error_already_set();
   return result;
 }

@@ -41,8 +41,8 @@ public:
     for (std::int64_t k = 0; k < times.first && beat(c); ++k) {}
     if (reason_.empty()) look();
     if (!reason_.empty())
-      throw refused("seed " + std::to_string(seed) + ": it ends before the policy has seen anything: " +
-                    reason_);
+      throw refused("seed " + std::to_string(seed) +
+                    ": it ends before the policy has seen anything: " + reason_);
     Task::score_of(c).sum = 0;
     reward_ = 0;
   }

@@ -27,7 +27,8 @@ firing_times found_firings(const typename Task::controller& loaded) {
                     std::string(c.fault().reason()));
   }
   if (found < at.size())
-    throw refused("the policy of the task has not fired three times in a minute: give its node cca::timed<N>");
+    throw refused(
+        "the policy of the task has not fired three times in a minute: give its node cca::timed<N>");
   const firing_times times{at[0], at[1] - at[0]};
   if (at[2] - at[1] != times.period)
     throw refused("the policy of the task does not fire evenly: give its node cca::timed<N>");

@@ -57,7 +57,8 @@ inline world_options checked_options(py::ssize_t count,
   if (threads < 0 || threads > 4096)
     throw py::value_error("threads is " + std::to_string(threads) + ": it is 0 (all cores) to 4096");
   if (steps && *steps < 0)
-    throw py::value_error("episode_steps is " + std::to_string(*steps) + ": it is at least 1, or 0 for no end");
+    throw py::value_error("episode_steps is " + std::to_string(*steps) +
+                          ": it is at least 1, or 0 for no end");
   return {static_cast<unsigned>(threads), steps.value_or(0), autoreset_named(when_over)};
 }
 
@@ -108,9 +109,9 @@ public:
     const auto lock = locked();
     all_worlds& w = all();
     if (!w.has_begun()) throw std::runtime_error("step() before reset(): reset all worlds first");
-    const auto actions = doubles(
-        given, {static_cast<py::ssize_t>(w.count()), static_cast<py::ssize_t>(all_worlds::commanded)},
-        "actions");
+    const auto actions =
+        doubles(given, {static_cast<py::ssize_t>(w.count()), static_cast<py::ssize_t>(all_worlds::commanded)},
+                "actions");
     const std::span<const double> values(actions.data(), static_cast<std::size_t>(actions.size()));
     without_lock([&] { w.step(values); });
     const world_results& r = w.now();
@@ -127,7 +128,9 @@ private:
 
   // Views: `self` lives as long as they do.
   template <class Number>
-  static py::array_t<Number> numbers(const py::object& self, const std::vector<Number>& all, std::size_t row = 0) {
+  static py::array_t<Number> numbers(const py::object& self,
+                                     const std::vector<Number>& all,
+                                     std::size_t row = 0) {
     const auto n = static_cast<py::ssize_t>(all.size());
     const auto wide = static_cast<py::ssize_t>(row);
     return row == 0 ? py::array_t<Number>(n, all.data(), self)
@@ -191,16 +194,15 @@ void add_environment(pybind11::module_& m, const char* name, const char* about =
       .def_property_readonly("single_observation_space",
                              [](environment&) { return box{observations_of<stand_in>()}; })
       .def_property_readonly("single_action_space", [](environment&) { return box{actions_of<stand_in>()}; })
+      .def_property_readonly("observation_space",
+                             [](environment& e) { return box{observations_of<stand_in>(), e.all().count()}; })
+      .def_property_readonly("action_space",
+                             [](environment& e) { return box{actions_of<stand_in>(), e.all().count()}; })
       .def_property_readonly(
-          "observation_space",
-          [](environment& e) { return box{observations_of<stand_in>(), e.all().count()}; })
-      .def_property_readonly(
-          "action_space", [](environment& e) { return box{actions_of<stand_in>(), e.all().count()}; })
-      .def_property_readonly("metadata",
-                             [](environment& e) {
-                               return py::dict(py::arg("autoreset_mode") = detail::gymnasium_name(
-                                                   e.all().options().when_over));
-                             })
+          "metadata",
+          [](environment& e) {
+            return py::dict(py::arg("autoreset_mode") = detail::gymnasium_name(e.all().options().when_over));
+          })
       .def_property_readonly("episode_steps", [](environment& e) { return e.all().options().episode_steps; })
       .def_property_readonly("step_seconds", [](environment& e) { return e.all().step_seconds(); })
       .def_property_readonly("beats_per_step", [](environment& e) { return e.all().times().period; })

@@ -37,8 +37,7 @@ struct stand_in_of<policy_inputs<In...>, To> {
   auto process(In... all) -> std::tuple<maybe<"output", To>, out<"status", input_status_port>> {
     cca::detail::input_check check;
     int at = 0;
-    (void)((observations.template segment<In::space::size>(at) = check(all.vector()),
-            at += In::space::size),
+    (void)((observations.template segment<In::space::size>(at) = check(all.vector()), at += In::space::size),
            ...);
     ++firings;
     maybe<"output", To> output;

@@ -98,7 +98,8 @@ public:
     need("seeds", seeds.size(), seeds.empty() ? 0 : count());
     need("flags of worlds to reset", which.size(), which.empty() ? 0 : count());
     for (const std::int64_t s : seeds)
-      if (s >= most_seed) throw std::invalid_argument("a seed is below 2^53, and this one is " + std::to_string(s));
+      if (s >= most_seed)
+        throw std::invalid_argument("a seed is below 2^53, and this one is " + std::to_string(s));
     auto changed = changed_with(std::move(parameters));
     if (!which.empty() && !has_begun_)
       for (const std::uint8_t w : which)
@@ -172,17 +173,16 @@ private:
 
   template <class F>
   void each(F f) {
-    sim::rollouts(
-        count(),
-        [&](std::size_t i) {
-          try {
-            f(i);
-          } catch (const std::exception& e) {
-            throw refused("world " + std::to_string(i) + ": " + e.what());
-          }
-          return true;
-        },
-        {.threads = options_.threads});
+    sim::rollouts(count(),
+                  [&](std::size_t i) {
+                    try {
+                      f(i);
+                    } catch (const std::exception& e) {
+                      throw refused("world " + std::to_string(i) + ": " + e.what());
+                    }
+                    return true;
+                  },
+                  {.threads = options_.threads});
   }
 
   void turn() { before_ = at_, at_ = 1 - at_; }
@@ -232,9 +232,7 @@ private:
     r.faults[i] = ended ? all_[i]->fault() : std::string();
   }
   // A world that is not reset shows what it showed.
-  void keep(std::size_t i) {
-    show(i, 0, now_before().terminations[i], now_before().truncations[i], false);
-  }
+  void keep(std::size_t i) { show(i, 0, now_before().terminations[i], now_before().truncations[i], false); }
   const world_results& now_before() const { return results_[before_]; }
 
   world_options options_;
