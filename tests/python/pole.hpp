@@ -1,7 +1,11 @@
 #pragma once
 // A pole on a joint that a policy holds upright: the smallest task.
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <thread>
 #include <tuple>
 
 #include <cca/base/math/random_numbers.hpp>
@@ -77,9 +81,17 @@ struct balanced : cca::graph<cca::rate<100>,
                              cca::wire<"judge.reward", "score.reward">,
                              cca::wire<"judge.done", "score.done">> {};
 
+// The episode of this seed begins once Python says so; in ten seconds, or never.
+inline std::atomic<bool> may_begin = false;
+inline void wait_for_python() {
+  for (int k = 0; k < 1000 && !may_begin; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  if (!may_begin) throw std::runtime_error("Python has not said that it may begin");
+}
+
 template <class Controller>
 void begin_with(Controller& c, std::uint64_t seed) {
   if (seed == 50'000'000) throw std::runtime_error("there is no such pole");
+  if (seed == 60'000'000) wait_for_python();
   cca::random_numbers random(seed);
   c.template get<"pole">().at = random.between(-0.2, 0.2);
   c.template get<"pole">().speed = random.between(-0.2, 0.2);
