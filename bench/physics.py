@@ -3,7 +3,7 @@
 of docs/physics.md.
 
     physics.py                 everything (half an hour on two cores); builds the programs of bench/physics with clang 19 and g++
-    physics.py --only trot     one part: accuracy, stiff, trot, bits, instructions, beside, lanes, rows, compile; the others keep
+    physics.py --only trot     one part: accuracy, stiff, trot, bits, instructions, beside, lanes, rows, compile, worlds; the others keep
                                their figures in bench/physics.json; several: --only trot --only bits
     physics.py --page          only the table, from bench/physics.json
 
@@ -104,6 +104,17 @@ def rows(work):
     return read(build(work, "clang++-19", "rows", ["rows"]))
 
 
+def worlds(work):
+    """Steps a second of a policy at 50 Hz on one core, as Python makes them."""
+    has = pathlib.Path("/proc/cpuinfo").read_text()
+    width = max((w for w, flags in LANES.items() if f" {flags[0][2:]} " in has), default=0)
+    lane_flags = [f"-DBENCH_LANES={width}", *LANES[width]] if width else []
+    program = build(work, "clang++-19", "worlds", ["worlds", "commands_of_trot"],
+                    ["-O2", "-I", str(ROOT / "python/include"), "-DTOML_HEADER_ONLY=0", "-DTOML_SHARED_LIB=1", *lane_flags, *(["-DBENCH_MUJOCO"] if MUJOCO else [])],
+                    ["-ltomlplusplus", *(["-lmujoco"] if MUJOCO else [])])
+    return {"width": width} | read(program)
+
+
 def compile_time(work):
     """Processor time of a file with a world of the Oncilla and its `advance`, g++ -O2, s: the least of three."""
     source = work / "one.cpp"
@@ -176,6 +187,15 @@ def table(all_figures):
         row("bits of each lane, beside a world alone", "the same" if not any(x["lanes differ"] for x in f["lanes"].values()) else "DIFFERENT", "", "the same", "the same")
     if "compile" in f:
         row("processor time to compile a world, g++ `-O2`, s", f"{f['compile']['seconds']:.1f}", "", "8", "5")
+    if "worlds" in f:
+        w = f["worlds"]
+        for step, bound, goal in (("0.5", "", ""), ("1", "12,000", "50,000")):
+            at = lambda what: f"{w[f'{what}, steps of {step} ms']:,.0f}"
+            row(f"steps a second of a policy at 50 Hz on one core, trot of the Oncilla in steps of {step} ms: as [worlds of Python](python.md)", at("worlds"), "", bound, goal)
+            row("its physics alone" + (f", and in {w['width']} lanes" if w["width"] else ""), at("physics") + (", " + at("lanes") if w["width"] else ""), "", "", "")
+            solvers = {name.split()[1].split(",")[0]: value for name, value in w.items() if name.startswith("mujoco") and name.endswith(f"of {step} ms")}
+            best = max(solvers, key=solvers.get, default=None)
+            row("the same in MuJoCo" + (f", its fastest solver ({best})" if best else ""), f"{solvers[best]:,.0f}" if best else "MuJoCo is not installed", "", "", "")
     if "rows" in f:
         r = f["rows"]
         joined = lambda names: ", ".join(f"{r[name] / 1000:,.0f}" for name in names)
@@ -186,7 +206,7 @@ def table(all_figures):
 
 
 def main():
-    parts = {"accuracy": accuracy, "stiff": stiff, "trot": trot, "bits": bits, "instructions": instructions, "beside": beside, "lanes": lanes, "rows": rows, "compile": compile_time}
+    parts = {"accuracy": accuracy, "stiff": stiff, "trot": trot, "bits": bits, "instructions": instructions, "beside": beside, "lanes": lanes, "rows": rows, "compile": compile_time, "worlds": worlds}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--page", action="store_true")

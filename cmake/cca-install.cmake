@@ -11,7 +11,7 @@ configure_package_config_file(cmake/cca-config.cmake.in ${PROJECT_BINARY_DIR}/cc
                               NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cca-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/cca-config.cmake ${PROJECT_BINARY_DIR}/cca-config-version.cmake cmake/FindODE.cmake cmake/FindZSTD.cmake
-        cmake/cca-compiled.cmake cmake/cca-same-bits.cmake DESTINATION ${package_dir})
+        cmake/cca-compiled.cmake cmake/cca-same-bits.cmake cmake/cca-python.cmake DESTINATION ${package_dir})
 install(DIRECTORY source/ DESTINATION ${CMAKE_INSTALL_DATADIR}/cca/source)  # cca-compiled.cmake
 if("record" IN_LIST CCA_COMPONENTS)
   install(FILES page/recording.html DESTINATION ${CMAKE_INSTALL_DATADIR}/cca)

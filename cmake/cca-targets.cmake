@@ -1,4 +1,4 @@
-# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds, cca::record, cca::door and cca::mpi. All of them are headers only,
+# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds, cca::record, cca::door, cca::mpi and cca::python. All of them are headers only,
 # but config, main, sim, record and door also link a small library, built once for a project: cca-compiled.cmake.
 
 include(GNUInstallDirs)
@@ -24,8 +24,8 @@ function(cca_add_headers name root)
 endfunction()
 
 foreach(component IN LISTS CCA_COMPONENTS)
-  if(NOT component MATCHES "^(config|main|sim|hardware|dds|record|door|mpi)$")
-    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware, dds, record, door and mpi")
+  if(NOT component MATCHES "^(config|main|sim|hardware|dds|record|door|mpi|python)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware, dds, record, door, mpi and python")
   endif()
 endforeach()
 if("main" IN_LIST CCA_COMPONENTS AND NOT "config" IN_LIST CCA_COMPONENTS)
@@ -37,9 +37,12 @@ endif()
 if("mpi" IN_LIST CCA_COMPONENTS AND NOT "sim" IN_LIST CCA_COMPONENTS)
   message(FATAL_ERROR "CCA_COMPONENTS: the component 'mpi' needs 'sim'")
 endif()
+if("python" IN_LIST CCA_COMPONENTS AND NOT ("config" IN_LIST CCA_COMPONENTS AND "sim" IN_LIST CCA_COMPONENTS))
+  message(FATAL_ERROR "CCA_COMPONENTS: the component 'python' needs 'config' and 'sim'")
+endif()
 
 if(NOT PROJECT_IS_TOP_LEVEL)  # who links one of these reads of a target that was not found, and why above
-  set(left_out config main sim hardware dds record door mpi)
+  set(left_out config main sim hardware dds record door mpi python)
   list(REMOVE_ITEM left_out none ${CCA_COMPONENTS})
   if(left_out)
     list(JOIN left_out ", cca::" names)
@@ -153,6 +156,15 @@ if("mpi" IN_LIST CCA_COMPONENTS)
   cca_add_headers(mpi ${include} ${headers})
   target_link_libraries(cca_mpi INTERFACE cca cca_sim MPI::MPI_CXX Threads::Threads)
   target_compile_definitions(cca_mpi INTERFACE CCA_HAS_MPI=1)
+endif()
+
+if("python" IN_LIST CCA_COMPONENTS)
+  include(${CMAKE_CURRENT_LIST_DIR}/cca-python.cmake)
+  cca_find_pybind11()
+  set(include ${PROJECT_SOURCE_DIR}/python/include)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+  cca_add_headers(python ${include} ${headers})
+  target_link_libraries(cca_python INTERFACE cca cca_config cca_sim pybind11::module Threads::Threads)
 endif()
 
 foreach(component cca main sim record)

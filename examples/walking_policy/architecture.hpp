@@ -12,30 +12,32 @@ namespace walking {
 
 // [architecture]
 // The policy at 100 Hz, between a clock and a robot at 1 kHz.
-struct learned_gait : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
-                                 cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
-                                 cca::node<"clock", clock, cca::timed<period>>,
-                                 cca::node<"attitude", attitude, cca::timed<period>>,
-                                 cca::node<"policy", policy, cca::timed<period>>,
-                                 cca::node<"smooth", smooth, cca::timed<1>>,
+template <class Policy>
+struct gait_of : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
+                            cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
+                            cca::node<"clock", clock, cca::timed<period>>,
+                            cca::node<"attitude", attitude, cca::timed<period>>,
+                            cca::node<"policy", Policy, cca::timed<period>>,
+                            cca::node<"smooth", smooth, cca::timed<1>>,
 
-                                 cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
-                                 cca::wire<"cpg.phase", "clock.phase", cca::latest>,
-                                 cca::wire<"cpg.amplitude", "clock.amplitude", cca::latest>,
-                                 cca::wire<"clock.clock", "policy.clock">,
-                                 cca::wire<"attitude.down", "policy.down">,
-                                 cca::wire<"attitude.course", "policy.course">,
-                                 cca::wire<"policy.output", "smooth.input", cca::latest, before_the_first>,
+                            cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
+                            cca::wire<"cpg.phase", "clock.phase", cca::latest>,
+                            cca::wire<"cpg.amplitude", "clock.amplitude", cca::latest>,
+                            cca::wire<"clock.clock", "policy.clock">,
+                            cca::wire<"attitude.down", "policy.down">,
+                            cca::wire<"attitude.course", "policy.course">,
+                            cca::wire<"policy.output", "smooth.input", cca::latest, before_the_first>,
 
-                                 cca::expose<"attitude.orientation", "orientation">,
-                                 cca::expose<"policy.rates", "rates">,
-                                 cca::expose<"policy.angles", "angles">,
-                                 cca::expose<"smooth.output", "command">,
-                                 cca::expose<"cpg.phase", "phase">,
-                                 cca::expose<"cpg.amplitude", "amplitude">,
-                                 cca::expose<"clock.clock", "clock">,
-                                 cca::expose<"attitude.down", "down">,
-                                 cca::expose<"attitude.course", "course">> {};
+                            cca::expose<"attitude.orientation", "orientation">,
+                            cca::expose<"policy.rates", "rates">,
+                            cca::expose<"policy.angles", "angles">,
+                            cca::expose<"smooth.output", "command">,
+                            cca::expose<"cpg.phase", "phase">,
+                            cca::expose<"cpg.amplitude", "amplitude">,
+                            cca::expose<"clock.clock", "clock">,
+                            cca::expose<"attitude.down", "down">,
+                            cca::expose<"attitude.course", "course">> {};
+struct learned_gait : gait_of<policy> {};
 
 template <class Robot>
 struct architecture : cca::graph<cca::rate<1000>,

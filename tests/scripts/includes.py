@@ -7,7 +7,7 @@ A folder of the core includes only from the folders to its left in FOLDERS. `run
 and nothing in the core includes them. A folder that ROOMS lists, or a header there, includes only from those before it; a header
 that only forwards from its former place may point anywhere in its folder. Every folder of headers has a place in ROOMS. No two
 headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware,
-dds, record, door and mpi include only from the parts in OUTSIDE. Other libraries are included from one place each. The tests, examples and
+dds, record, door, mpi and python include only from the parts in OUTSIDE. Other libraries are included from one place each. The tests, examples and
 pages that a header's comments name exist.
 """
 import collections
@@ -23,8 +23,8 @@ APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", 
 # Headers directly in cca/, and the folders that each may include from.
 TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"], "trace.hpp": ["graph", "trace"]} | {
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
-OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"], "record": ["record"], "door": ["door", "record"], "mpi": ["mpi", "sim"]}  # and from the core
-ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record", "door/include": "door", "mpi/include": "mpi"}
+OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"], "record": ["record"], "door": ["door", "record"], "mpi": ["mpi", "sim"], "python": ["python", "sim"]}  # and from the core
+ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record", "door/include": "door", "mpi/include": "mpi", "python/include": "python"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
 # Rooms: each includes only from those before it. "." is what stands directly in the folder, but for the headers that are rooms by
 # themselves: few others need them, or they stand for a folder. Every folder with folders of headers is listed, with all of them.
@@ -139,6 +139,8 @@ def other_include(where, target, part):
         return "Zstandard belongs in record/"
     if target == "mpi.h" and part != "mpi":
         return "MPI belongs in mpi/"
+    if target.startswith("pybind11/") and part != "python":
+        return "pybind11 belongs in python/"
     if target == "boost/hana.hpp":
         return "include Hana's granular headers"
     if target.startswith("nlohmann/") and not where.startswith("door/network/"):
