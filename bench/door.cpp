@@ -123,7 +123,7 @@ int main(int count, char** words) {
         const std::uint64_t time = now();
         one.door.sink().message(static_cast<std::uint16_t>(i), time, time, {bytes, sizeof bytes});
       }
-      one.door.sink().flush();
+      one.door.sink().hand_over();
       std::this_thread::sleep_until(due += std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 / rate)));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));

@@ -76,7 +76,7 @@ struct wishes {
           door = static_cast<std::uint16_t>(text.empty() ? 8765
                                                          : cca::whole_number_in("--door", text, 0, 65535));
         },
-        "lets viewers and cca-top connect while it runs, at wall-clock speed (port 8765)");
+        "lets viewers and cca-top connect while it runs, in a wall-clock run (port 8765)");
   }
   void set(cca::run_settings& s) const {
     s.seconds = seconds;

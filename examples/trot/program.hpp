@@ -43,6 +43,7 @@ inline double controller_nanoseconds() {
   return seconds_since(start) / beats * 1e9;
 }
 
+// [push]
 // Offered through a door: a force on the trunk, held.
 template <class Controller>
 cca::run_command<Controller> push_of_trunk() {
@@ -56,6 +57,7 @@ cca::run_command<Controller> push_of_trunk() {
                           std::span<const double> newtons) { push(c, {newtons[0], newtons[1], 0}); },
           .end = [push](Controller& c) { push(c, Eigen::Vector3d::Zero()); }};
 }
+// [push end]
 
 // `Watched`: `watched` of the architecture of a robot with the questions of asked_by_leg.hpp. `Runs`: what
 // --engine calls it.

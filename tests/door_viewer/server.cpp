@@ -43,7 +43,7 @@ int main(int count, char** words) {
             static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
         door.sink().message(static_cast<std::uint16_t>(i), time, time, {bytes, sizeof bytes});
       }
-      door.sink().flush();
+      door.sink().hand_over();
       std::this_thread::sleep_until(due += period);
     }
   });

@@ -29,7 +29,7 @@
 #include <cca/base/type_name.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/main/command_line.hpp>
-#include <cca/main/run_command.hpp>
+#include <cca/runtime/observers/run_command.hpp>
 #include <cca/main/run_settings.hpp>
 #include <cca/runtime/environments/deployed.hpp>
 #include <cca/runtime/environments/only.hpp>

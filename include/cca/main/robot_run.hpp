@@ -23,7 +23,7 @@
 #include <cca/main/counted_pace.hpp>
 #include <cca/main/descriptions.hpp>
 #include <cca/main/observed_run.hpp>
-#include <cca/main/program_door.hpp>
+#include <cca/runtime/observers/program_door.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_commands.hpp>
 #include <cca/main/run_program.hpp>

@@ -9,7 +9,7 @@
 #include <cca/graph/marks/traceable.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/main/descriptions.hpp>
-#include <cca/main/program_door.hpp>
+#include <cca/runtime/observers/program_door.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_settings.hpp>
 #include <cca/runtime/observers/program_recorder.hpp>

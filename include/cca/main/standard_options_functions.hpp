@@ -159,7 +159,7 @@ CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
         s.door = static_cast<std::uint16_t>(text.empty() ? 8765 : whole_number_in("--door", text, 0, 65535));
         if (!line.is_given("--pace") && !s.speed) s.speed = 1;  // a fast run is over before anybody looks
       },
-      "lets viewers and cca-top connect while it runs, at wall-clock speed (port 8765; 0: any)");
+      "lets viewers and cca-top connect while it runs, in a wall-clock run (port 8765; 0: any)");
   line.text("--door-address A", s.door_address, "listens there, not only to this machine");
   offer_file(line, "--door-token", s.door_token,
              "what a client must know to change anything (made anew for each run)");

@@ -36,7 +36,7 @@ struct opened {
   void message(std::uint16_t channel, std::uint64_t time, std::string_view data) {
     door.sink().message(channel, time, time,
                         {reinterpret_cast<const unsigned char*>(data.data()), data.size()});
-    door.sink().flush();
+    door.sink().hand_over();
   }
 };
 

@@ -169,6 +169,18 @@ TEST_CASE("door: an option that is wrong is refused in words, and nothing runs")
         std::string::npos);
 }
 
+namespace {
+
+// [door]
+[[maybe_unused]] void look_at(
+    cca::controller<graph>& c) {      // struct graph : cca::graph<...>, cca::recordable {};
+  cca::door door(c, {.port = 8765});  // says where it is, and the token
+  c.run(cca::for_<10>{}, cca::at_wall_clock(), door);
+}
+// [door end]
+
+}  // namespace
+
 TEST_CASE("door: in a program of one's own") {
   cca::controller<graph> c;
   c.load();

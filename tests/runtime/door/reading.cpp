@@ -340,7 +340,7 @@ TEST_CASE("What the recording's thread hands over is bounded, and what is lost i
   const std::string data(1000, 'x');
   for (std::uint64_t i = 0; i < 50; ++i)  // without flush: all in one hand
     one.door.sink().message(1, i, i, {reinterpret_cast<const unsigned char*>(data.data()), data.size()});
-  one.door.sink().flush();
+  one.door.sink().hand_over();
   CHECK(c.is_told("it has lost 46 messages"));
   CHECK(c.samples.size() == 4);
 }

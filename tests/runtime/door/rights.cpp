@@ -27,6 +27,11 @@ json next_rights(client& c) {
   all.erase("commandedBy");
   return all;
 }
+// Of a client that has not shown that it knows them.
+json asked_rights(client& c) {
+  c.text({{"op", "cca.describe"}});
+  return next_rights(c);
+}
 const std::string push = "/cca/command/push";
 
 std::string why_no_token(cca::door_settings with) {
@@ -44,7 +49,7 @@ std::string why_no_token(cca::door_settings with) {
 TEST_CASE("Reading is free, and nothing changes without the token") {
   opened one;
   client c(one.port());
-  CHECK(next_rights(c) == rights(false, false));
+  CHECK(asked_rights(c) == rights(false, false));
   CHECK(c.call("/cca/take_command").find("this needs the token") == 0);
   CHECK(c.call("/cca/give_command").find("this needs the token") == 0);
   for (const auto& service :
@@ -78,7 +83,7 @@ TEST_CASE("With the token alone only the emergency stop is done") {
 TEST_CASE("The token comes as a sub-protocol or in a message") {
   opened one;
   client c(one.port());
-  CHECK(next_rights(c) == rights(false, false));
+  CHECK(asked_rights(c) == rights(false, false));
   c.text({{"op", "cca.token"}, {"token", token}});
   CHECK(next_rights(c) == rights(true, false));
   CHECK(one.door.token() == token);
@@ -118,17 +123,17 @@ TEST_CASE("A URL is valid once, and gives the right to command if nobody has it"
   CHECK(url == "ws://127.0.0.1:" + std::to_string(one.port()) + target);
   CHECK(target.size() == 7 + 32);
   client c(one.port(), "", {.target = target});
-  CHECK(next_rights(c)["commands"] == true);
+  CHECK(asked_rights(c)["commands"] == true);
   CHECK(c.call("/cca/pause").empty());
   client again(one.port(), "", {.target = target});
   CHECK(again.is_told("this URL was valid once"));
-  CHECK(next_rights(again) == rights(false, false));
+  CHECK(asked_rights(again) == rights(false, false));
   client second(one.port(), "", {.target = other.substr(other.find("/?once="))});
-  CHECK(next_rights(second) == rights(true, false));  // somebody commands
+  CHECK(asked_rights(second) == rights(true, false));  // somebody commands
   client wrong(one.port(), "", {.target = "/?once=" + token});
-  CHECK(next_rights(wrong) == rights(false, false));
+  CHECK(asked_rights(wrong) == rights(false, false));
   client empty(one.port(), "", {.target = "/?once="});
-  CHECK(next_rights(empty) == rights(false, false));
+  CHECK(asked_rights(empty) == rights(false, false));
 }
 
 TEST_CASE("One client commands; the others are told who, and wait until it gives back") {
@@ -262,7 +267,8 @@ TEST_CASE("Open to other machines, a door is read with the token only") {
   opened one({.address = "0.0.0.0"}, {.greeting_time = 600ms});
   client c(one.port());
   CHECK(c.is_open);
-  CHECK(next_rights(c) == rights(false, false));
+  CHECK(asked_rights(c) == rights(false, false));
+  CHECK(c.is_told("reading needs the token, too"));
   c.subscribe(1, 60001);
   CHECK(c.is_told("reading needs the token, too"));
   c.text({{"op", "getParameters"}});
@@ -330,4 +336,13 @@ TEST_CASE("The file of a token is this user's alone") {
   }
   std::remove(link.c_str());
   std::remove(name.c_str());
+}
+
+TEST_CASE("door: a viewer that knows only the protocol hears nothing else, until it asks") {
+  opened one;
+  client viewer(one.port());
+  CHECK(viewer.next("advertiseServices")["op"] == "advertiseServices");
+  CHECK(viewer.next("cca.rights", 200ms).is_null());
+  viewer.text({{"op", "cca.describe"}});
+  CHECK(viewer.next("cca.rights")["mayChange"] == false);
 }

@@ -25,7 +25,7 @@
 #include <cca/graph/items/modes.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
 #include <cca/main/descriptions.hpp>
-#include <cca/main/run_command.hpp>
+#include <cca/runtime/observers/run_command.hpp>
 #include <cca/record/messages/architecture_text.hpp>
 #include <cca/record/recorder.hpp>
 #include <cca/runtime/environments/figures.hpp>

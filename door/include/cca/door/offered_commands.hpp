@@ -1,5 +1,5 @@
-// The commands that a program offers (cca/main/run_command.hpp), on their way from the door to the loop: one
-// at a time, and neither side waits.
+// The commands that a program offers (cca/runtime/observers/run_command.hpp), on their way from the door to
+// the loop: one at a time, and neither side waits.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 #include <cca/base/array_size.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/door/controls.hpp>
-#include <cca/main/run_command.hpp>
+#include <cca/runtime/observers/run_command.hpp>
 
 namespace cca::detail {
 

@@ -27,16 +27,14 @@
 #include <cca/door/live_controls.hpp>
 #include <cca/door/server.hpp>
 #include <cca/door/settings.hpp>
-#include <cca/main/run_command.hpp>
+#include <cca/runtime/observers/run_command.hpp>
 #include <cca/record/recorder.hpp>
 #include <cca/runtime/live/live_access.hpp>
 
 namespace cca {
 namespace detail {
 
-inline recording::settings recorded_for_a_door() {
-  return {.flush_seconds = 0.05, .looks_every = std::chrono::microseconds(500)};
-}
+inline recording::settings recorded_for_a_door() { return {.looks_every = std::chrono::microseconds(500)}; }
 
 // A door on a recorder, and what the loop does for it between two beats.
 template <class Controller>

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <cca/door/open_door.hpp>
-#include <cca/main/program_door.hpp>
-#include <cca/main/run_command.hpp>
+#include <cca/runtime/observers/program_door.hpp>
+#include <cca/runtime/observers/run_command.hpp>
 #include <cca/main/run_settings.hpp>
 
 namespace cca::detail {

@@ -200,6 +200,7 @@ private:
       const bool is_last = is_closing.load(std::memory_order_acquire);
       write_notes();
       while (write_one(is_last)) flush();
+      outlets.hand_over();
       flush();
       if (is_last) break;
       std::unique_lock lock(guard);

@@ -44,6 +44,8 @@ struct door_client {
   std::uint64_t id;
   std::string name;                             // `127.0.0.1:40312`
   bool has_token = false, needs_token = false;  // to read, too
+  bool knows_cca =
+      false;  // it has sent a message that is the door's own: others would take ours for an error
   int wrong_tokens = 0;
   std::map<std::uint32_t, std::uint16_t> subscriptions{};  // to its channel
   bool all_parameters = false, wants_graph = false;

@@ -38,6 +38,7 @@ inline hub::hub(const door_settings& given,
 inline door_client& hub::enter(const std::string& name, const greeting& hello, time_point now) {
   door_client& c = clients.emplace_back(++last_id, name, limits);
   c.needs_token = guards_reading;
+  c.knows_cca = hello.has_token;
   c.last_sign = c.entered = now;
   c.say(server_info(controls.description().program, session));
   const bool by_key = !hello.once.empty() && keys.take(hello.once);
@@ -95,6 +96,10 @@ inline void hub::text(door_client& c, std::string_view payload, time_point now) 
   if (!m || op.empty())
     return c.say(status_message(
         2, "expected an object of JSON with `op`, at most " + std::to_string(limits.depth) + " deep"));
+  if (op.starts_with("cca.") && !c.knows_cca) {
+    c.knows_cca = true;
+    tell_rights(c);
+  }
   if (op == "cca.token") return show_token(c, text_member(*m, "token"));
   if (!c.may_read())
     return c.say(status_message(

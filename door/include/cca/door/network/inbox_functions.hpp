@@ -81,7 +81,7 @@ public:
     }
     call();
   }
-  void flush() override {
+  void hand_over() override {
     if (has_some.exchange(false, std::memory_order_relaxed)) call();
   }
 

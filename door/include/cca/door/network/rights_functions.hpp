@@ -31,7 +31,7 @@ inline void hub::show_token(door_client& c, const std::string& offered) {
 }
 
 inline void hub::tell_rights(door_client& c) {
-  c.say(rights_message(c.has_token, commander == &c, commander_name()));
+  if (c.knows_cca) c.say(rights_message(c.has_token, commander == &c, commander_name()));
 }
 inline void hub::tell_rights() {
   for (door_client& c : clients) tell_rights(c);

@@ -43,6 +43,10 @@ public:
     notes.emplace_back(name, entries);
     for (message_sink* one : sinks) one->metadata(name, entries);
   }
+  void hand_over() {
+    const std::scoped_lock lock(guard);
+    for (message_sink* one : sinks) one->hand_over();
+  }
   void flush() {
     const std::scoped_lock lock(guard);
     for (message_sink* one : sinks) one->flush();

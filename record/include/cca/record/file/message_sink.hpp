@@ -32,7 +32,9 @@ public:
                        std::uint64_t publish_time,
                        detail::byte_view data) = 0;
   virtual void metadata(const std::string& name, const detail::text_map& entries) = 0;
-  // Regularly, and when the writer has nothing more for now.
+  // The writer has nothing more for now: what waits here goes to those who look on.
+  virtual void hand_over() {}
+  // Regularly: what waits here goes to the disk.
   virtual void flush() {}
 };
 

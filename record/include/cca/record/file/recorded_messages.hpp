@@ -120,7 +120,7 @@ public:
       if (s.viewer_hz > 0) body.emplace(to_all, cca::detail::space_of_output<Graph>);
     if constexpr (cca::detail::has_free_running<Graph>) {
       freely = to_all.channel(freely_topic, "cca/msg/free_running",
-                              "int64 beat  # from which on they ran at wall-clock speed\n"
+                              "int64 beat  # from which on they ran in a wall-clock run\n"
                               "bool freely  # false: or in a fast run again\n");
       dropped = to_all.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n");
     }
