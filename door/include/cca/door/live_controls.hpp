@@ -111,7 +111,7 @@ public:
   }
 
   door_outcome begin(const door_request& request) override {
-    const at_the_end told{[this] { want_a_look(); }};
+    const at_the_end looked_at{[this] { want_a_look(); }};
     try {
       return begin_checked(request);
     } catch (const std::exception& e) { return {door_outcome::how::refused, e.what()}; }
