@@ -1,6 +1,8 @@
 // A parameter as a door describes it: its value as text, and a text as a value of it.
 #pragma once
 
+#include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -20,12 +22,17 @@ struct parameter {
   std::vector<std::string> choices{};
 };
 
-inline std::string text_of(double number) { return written(json(number)); }
+// With all its digits, and no more.
+inline std::string text_of(double number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
 
 // As a person types it: a text without quotes, numbers with commas between them.
 inline std::string text_of_value(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_null()) return "nan";
+  if (value.is_number_float()) return text_of(value.get<double>());
   if (!value.is_array()) return written(value);
   std::string all;
   for (const json& one : value) all += (all.empty() ? "" : ",") + text_of_value(one);
@@ -60,7 +67,7 @@ inline std::vector<parameter> parameters_of(const json& description) {
 // What is typed, as a value for this parameter. The door checks the range. Error: cca::refused.
 inline json value_in(const parameter& of, const std::string& text) {
   const auto refuse = [&](const std::string& expected) {
-    const std::string range = range_of(of);
+    const std::string range = of.kind == "boolean" ? "" : range_of(of);
     return cca::refused(of.path + " = " + text + ": expected " + expected +
                         (range.empty() ? (of.unit.empty() ? "" : " in " + of.unit) : ", " + range));
   };

@@ -120,7 +120,7 @@ inline void describe(conversation& door, const call_options& o, std::ostream& ou
   for (const parameter& one : parameters_of(all)) {
     const std::string range = range_of(one);
     out << "parameter " << one.path << ' ' << text_of_value(one.value)
-        << (one.unit.empty() ? "" : " " + one.unit) << (range.empty() ? "" : ", " + range) << '\n';
+        << (one.unit.empty() ? "" : " " + one.unit) << (range.empty() ? "" : " (" + range + ")") << '\n';
   }
   for (const json& one : list_in(all, "commands")) {
     out << "command " << text_in(one, "name");

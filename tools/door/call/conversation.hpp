@@ -113,7 +113,7 @@ public:
       throw cca::refused(what + " needs the token: --token, --token-file or CCA_TOKEN");
   }
   void take_command() {
-    need_token("whoever changes anything");
+    need_token("a change");
     call("/cca/take_command");
   }
   // It comes to this also after a refusal, and where the connection is lost.

@@ -44,7 +44,8 @@ inline std::string three_times(double mean, double p99, double most) {
   if (!(most > 0)) return "-";
   const double scale = most < 9.995e-3 ? 1e6 : most < 9.995 ? 1e3 : 1;
   const auto one = [&](double of) {
-    return formatted(of * scale < 9.95 ? "%.1f" : "%.0f", of * scale);
+    const double number = of * scale;
+    return formatted(number < 0.0995 && number > 0 ? "%.3f" : number < 9.95 ? "%.1f" : "%.0f", number);
   };
   return one(mean) + "/" + one(p99) + "/" + one(most) + (scale == 1e6 ? " us" : scale == 1e3 ? " ms" : " s");
 }
@@ -83,8 +84,9 @@ public:
     head();
     if (view.at != page::environments) environments(std::max<std::size_t>(1, (size.height - std::min<std::size_t>(size.height, 10)) / 4));
     tabs();
-    // The last two lines are for what is said and for the keys.
-    const std::size_t rows = size.height > all.size() + 3 ? size.height - all.size() - 3 : 0;
+    // The last lines are for what is said, two if it is long, and for the keys.
+    const std::size_t last = view.types == top_view::typing::nothing && size.height > 10 && columns_of(model.remark, utf8) > size.width ? 3 : 2;
+    const std::size_t rows = size.height > all.size() + 1 + last ? size.height - all.size() - 1 - last : 0;
     titles();
     view.keep_in_view(view.row_count(model), rows);
     const std::size_t end = all.size() + rows;
@@ -96,7 +98,7 @@ public:
     }
     while (all.size() < end) line();
     // On a terminal of a few lines the head gives way: what is said and the keys stay.
-    const std::size_t kept = size.height > 2 ? size.height - 2 : 0;
+    const std::size_t kept = size.height > last ? size.height - last : 0;
     if (all.size() > kept) all.resize(kept, screen_line(size.width, utf8));
     if (size.height > 1) said();
     keys();
@@ -137,10 +139,11 @@ private:
       second.add("  overruns " + std::to_string(overruns), style::alarm);
 
     screen_line& third = line();
-    if (!model.has_token || (model.door.has_rights && !model.door.may_change)) third.add("you only read", style::bold);
+    if (!model.is_open) third.add("below is what it told last", style::faint);
+    else if (!model.has_token || (model.door.has_rights && !model.door.may_change)) third.add("you only read", style::bold);
     else if (model.door.commands) third.add("YOU COMMAND", style::bold);
     else third.add("you may take the command", style::bold);
-    if (!model.door.commands)
+    if (model.is_open && !model.door.commands)
       third.add(model.door.commanded_by.empty() ? ", nobody commands" : ", " + model.door.commanded_by + " commands");
     if (const auto clients = whole_in(model.status, "clients"); clients > 0)
       third.add("  " + std::to_string(clients) + (clients == 1 ? " client" : " clients"));
@@ -156,10 +159,10 @@ private:
 
   // ---- environments ----
 
-  std::size_t name_width() const { return size.width > 66 ? size.width - 66 : 8; }
+  std::size_t name_width() const { return size.width > 76 ? size.width - 68 : 8; }
   void environment_titles() {
     line().add(left("environment", name_width(), utf8) + right("beats", 11, utf8) + right("overruns", 9, utf8) + right("lost", 6, utf8) +
-                   right("late", 6, utf8) + right("beat mean/p99/most", 17, utf8) + right("wake-up", 17, utf8),
+                   right("late", 6, utf8) + right("beat mean/p99/max", 18, utf8) + right("wake mean/p99/max", 18, utf8),
                style::faint);
   }
   void environment_rows(std::size_t first, std::size_t rows) {
@@ -177,7 +180,7 @@ private:
         const std::string of = what;
         all.back().add(right(three_times(number_in(one, (of + "_mean").c_str()), number_in(one, (of + "_p99").c_str()),
                                          number_in(one, (of + "_most").c_str())),
-                             17, utf8));
+                             18, utf8));
       }
     }
   }
@@ -260,11 +263,15 @@ private:
       line().add(view.filter.empty() ? "no parameters" : "no parameter has /" + view.filter + " in its path", style::faint);
   }
 
+  // Of this machine the port says who it is.
+  static std::string client_text(const std::string& client) {
+    return client.starts_with("127.0.0.1:") ? client.substr(9) : client;
+  }
   void log(std::size_t rows) {
     for (std::size_t i = view.here().first; i < model.log.size() && i < view.here().first + rows; ++i) {
       const log_line& one = model.log[model.log.size() - 1 - i];  // the newest first
       const bool is_refusal = one.what.starts_with("refused: ");
-      line().add(time_of_day(one.time) + " ", style::faint).add(left(one.client, 17, utf8) + " ").add(one.what, is_refusal ? style::alarm : style::plain);
+      line().add(time_of_day(one.time) + " ", style::faint).add(left(client_text(one.client), 15, utf8) + " ").add(one.what, is_refusal ? style::alarm : style::plain);
     }
     if (model.log.empty() && rows > 0) line().add("nothing was changed", style::faint);
   }
@@ -272,11 +279,15 @@ private:
   // ---- the last two lines ----
 
   void said() {
-    screen_line& l = line();
     if (view.types == top_view::typing::nothing) {
-      l.add(model.remark, model.is_refusal ? style::alarm : style::bold);
+      const style how = model.is_refusal ? style::alarm : style::bold;
+      const shown_text first = shown(model.remark, size.width, utf8);
+      line().add(first.text, how);
+      if (size.height > 10 && columns_of(model.remark, utf8) > size.width)
+        line().add(without_first(model.remark, size.width), how);
       return;
     }
+    screen_line& l = line();
     if (view.types == top_view::typing::filter) l.add("/", style::bold);
     else {
       std::string range;
@@ -293,17 +304,33 @@ private:
     const std::size_t from = cursor + 1 > l.room() ? cursor + 1 - l.room() : 0;
     l.add(text.substr(from, cursor - from)).add(text.substr(cursor, 1), style::bar).add(text.substr(cursor + 1));
   }
+  // What follows the first columns.
+  std::string_view without_first(std::string_view text, std::size_t columns) const {
+    std::size_t used = 0;
+    while (!text.empty()) {
+      const std::size_t bytes = std::max<std::size_t>(cca::recording::detail::shown_bytes(text), 1);
+      const std::size_t more = columns_of(text.substr(0, bytes), utf8);
+      if (used + more > columns) break;
+      used += more;
+      text.remove_prefix(bytes);
+    }
+    return text;
+  }
   void keys() {
     screen_line& l = line();
     const bool can_stop = model.has_token && (!model.door.has_rights || model.door.may_change);
     l.add(can_stop ? " SPACE STOP " : " SPACE STOP needs a token ", can_stop ? style::stop : style::bar);
-    if (view.types == top_view::typing::value) l.add("  enter sets  esc leaves it");
-    else if (view.types == top_view::typing::filter) l.add("  enter keeps  esc shows all");
-    else {
-      if (model.has_token) l.add(std::string("  c ") + (model.door.commands ? "give" : "take") + " command  p pause  g go on  n step");
-      if (model.has_token && view.at == page::parameters) l.add("  enter change  u undo");
-      l.add("  / find  q quit");
+    const auto add = [&l](std::string_view name, std::string_view does) {
+      l.add(" ").add(name, style::bold).add(" ").add(does);
+    };
+    if (view.types == top_view::typing::value) return add("enter", "set"), add("esc", "leave it as it is");
+    if (view.types == top_view::typing::filter) return add("enter", "keep"), add("esc", "show all");
+    if (model.has_token) {
+      add("c", model.door.commands ? "give it back" : "command");
+      add("p", "pause"), add("g", "go on"), add("n", "step");
+      if (view.at == page::parameters) add("enter", "set"), add("u", "undo");
     }
+    add("/", "find"), add("q", "quit");
   }
 };
 

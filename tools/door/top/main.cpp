@@ -1,6 +1,7 @@
 // cca-top: a running program in a terminal, through its door. docs/door_tools.md; `cca-top --help`.
 #include <chrono>
 #include <clocale>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <optional>
@@ -41,14 +42,17 @@ public:
     screen image;
     std::optional<terminal_size> size;
     auto drawn = clock_type::time_point{}, second = clock_type::now();
-    bool goes_on = true;
+    bool goes_on = true, is_gone = false;
     while (goes_on && !signals) {
       connect();
       line->wait(50ms, STDIN_FILENO);
       while (const auto one = line->next()) model.take(*one);
       bool is_changed = false;
       std::string typed;
-      if (!shown_on.read(typed)) break;
+      if (!shown_on.read(typed)) {
+        is_gone = true;
+        break;
+      }
       keys.add(typed);
       // An escape alone: the rest of a code comes at once.
       while (const auto one = keys.next(typed.empty())) {
@@ -63,13 +67,22 @@ public:
       if (now - second > 1s) second = now, model.each_second();
       if (is_changed || now - drawn > 100ms || size != shown_on.size()) {
         drawn = now, size = shown_on.size();
-        if (!shown_on.write(image.show(draw(model, view, where, *size, has_utf8()), *size))) break;
+        if (!shown_on.write(image.show(draw(model, view, where, *size, has_utf8()), *size))) {
+          is_gone = true;
+          break;
+        }
         model.look_at(view.looked_at);
       }
       send();
     }
+    // Who loses the terminal is lost to the robot, too: the door does what it was told for that.
+    const bool is_lost = is_gone || signals.exit_code() == 128 + SIGHUP;
+    if (line && model.door.commands && !is_lost) {
+      model.ask("/cca/give_command", {});
+      send();
+    }
     if (line) line->close();
-    return signals.exit_code();
+    return is_gone ? 128 + SIGHUP : signals.exit_code();
   }
 
 private:

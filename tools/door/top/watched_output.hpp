@@ -47,7 +47,12 @@ public:
     }
   }
 
-  double rate() const { return measured; }  // Hz; 0: not known, or silent
+  // Hz; 0: not known, or silent. Before the first second is over, by what there is.
+  double rate() const {
+    constexpr std::uint64_t enough = 200'000'000;
+    if (measured > 0 || count < 3 || last_time - first_time < enough) return measured;
+    return static_cast<double>(count - 1) / (static_cast<double>(last_time - first_time) * 1e-9);
+  }
   // Seconds since the last sample; empty: none has come since it is watched.
   std::optional<double> age(std::uint64_t now) const {
     if (!has_sample) return {};
