@@ -18,9 +18,7 @@ struct door_address {
   std::string host = "127.0.0.1", port = "8765";
 
   // As it stands in a URL: that of IPv6 in brackets.
-  std::string text() const {
-    return (host.find(':') == host.npos ? host : "[" + host + "]") + ":" + port;
-  }
+  std::string text() const { return (host.find(':') == host.npos ? host : "[" + host + "]") + ":" + port; }
 };
 
 // `8765`, `192.168.1.5:8765`, `robot.local:8765`, `[::1]:8765`.
@@ -40,7 +38,8 @@ inline door_address address_in(const std::string& text) {
   const bool has_brackets = to.host.size() > 2 && to.host.front() == '[' && to.host.back() == ']';
   if (has_brackets) to.host = to.host.substr(1, to.host.size() - 2);
   if (to.host.empty()) throw wrong("the address before the colon is missing");
-  if (!has_brackets && to.host.find(':') != to.host.npos) throw wrong("an address of IPv6 stands in brackets");
+  if (!has_brackets && to.host.find(':') != to.host.npos)
+    throw wrong("an address of IPv6 stands in brackets");
   return to;
 }
 
@@ -64,7 +63,8 @@ struct token_option {
 
   void add_to(cca::command_line& line) {
     line.text("--token T", token, "what the program printed at its start; without it you only read");
-    line.text("--token-file F", file, "the file that has the token, in its first line\n(else the variable CCA_TOKEN)");
+    line.text("--token-file F", file,
+              "the file that has the token, in its first line\n(else the variable CCA_TOKEN)");
   }
   std::string value() const {
     if (!token.empty() && !file.empty())

@@ -26,7 +26,7 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::size_t most_events = 4096;
-constexpr std::size_t most_bytes = 16 << 20;         // of one message: a description of a large architecture
+constexpr std::size_t most_bytes = 16 << 20;          // of one message: a description of a large architecture
 constexpr std::size_t most_waiting_bytes = 32 << 20;  // of samples that nobody has taken
 
 template <class Number>
@@ -62,7 +62,8 @@ struct client::inside {
     }
     resolver.async_resolve(to.host, to.port, [this](error_code e, const tcp::resolver::results_type& all) {
       if (e) return end("the address is not known: " + e.message());
-      stream.next_layer().async_connect(all, [this](error_code wrong, const tcp::endpoint&) { connected(wrong); });
+      stream.next_layer().async_connect(all,
+                                        [this](error_code wrong, const tcp::endpoint&) { connected(wrong); });
     });
   }
   void connected(error_code e) {
@@ -70,7 +71,8 @@ struct client::inside {
     if (e) return end(e == asio::error::connection_refused ? "nobody listens there" : e.message());
     error_code no_matter;
     stream.next_layer().socket().set_option(tcp::no_delay(true), no_matter);
-    // The number, not the name: a door takes only the addresses that are its own, against pages that rename themselves.
+    // The number, not the name: a door takes only the addresses that are its own, against pages that rename
+    // themselves.
     const auto there = stream.next_layer().socket().remote_endpoint(e);
     if (e) return end(e.message());
     std::string host = there.address().to_string();
@@ -92,7 +94,8 @@ struct client::inside {
   void greeted(error_code e) {
     if (at != phase::connecting) return;
     if (e == websocket::error::upgrade_declined)
-      return end("this is no door, or it sent the client away: HTTP " + std::to_string(response.result_int()));
+      return end("this is no door, or it sent the client away: HTTP " +
+                 std::to_string(response.result_int()));
     if (e) return end("this is no door: " + e.message());
     if (response[beast::http::field::sec_websocket_protocol] != "foxglove.websocket.v1")
       return end("this is no door: it does not speak foxglove.websocket.v1");

@@ -1,9 +1,9 @@
 // The client's side of a door: one connection of the Foxglove protocol over WebSocket.
 //
-// It has no thread. What happens, happens in `wait`; what has arrived waits in a bounded queue, and while that is
-// full nothing more is read. Nothing here throws for what the other side does: a connection that can't be made,
-// or is lost, is an event `closed` that says why. The program's own words may be wrong: then `client` throws.
-// Only client.cpp knows Boost.Beast.
+// It has no thread. What happens, happens in `wait`; what has arrived waits in a bounded queue, and while
+// that is full nothing more is read. Nothing here throws for what the other side does: a connection that
+// can't be made, or is lost, is an event `closed` that says why. The program's own words may be wrong: then
+// `client` throws. Only client.cpp knows Boost.Beast.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,5 @@
-// Members of a JSON object that another program has sent: what is missing, or of another type, is the default.
+// Members of a JSON object that another program has sent: what is missing, or of another type, is the
+// default.
 #pragma once
 
 #include <cstdint>

@@ -55,8 +55,9 @@ inline std::string range_of(const parameter& of) {
 inline std::vector<parameter> parameters_of(const json& description) {
   std::vector<parameter> all;
   for (const json& one : list_in(description, "parameters")) {
-    parameter p{text_in(one, "path"), text_in(one, "kind"), text_in(one, "unit"), member(one, "value"), {}, {},
-                texts_in(one, "choices")};
+    parameter p{
+        text_in(one, "path"),    text_in(one, "kind"), text_in(one, "unit"), member(one, "value"), {}, {},
+        texts_in(one, "choices")};
     if (member(one, "lower").is_number()) p.lower = number_in(one, "lower");
     if (member(one, "upper").is_number()) p.upper = number_in(one, "upper");
     all.push_back(std::move(p));
@@ -84,7 +85,8 @@ inline json value_in(const parameter& of, const std::string& text) {
   }
   if (of.kind == "integer") {
     const bool has_digits = !text.empty() && text.size() < 19 &&
-                            text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) == text.npos && text != "-";
+                            text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) == text.npos &&
+                            text != "-";
     if (!has_digits) throw refuse("a whole number");
     return std::strtoll(text.c_str(), nullptr, 10);
   }

@@ -34,8 +34,7 @@ public:
       text.remove_prefix(std::min(text.size(), line.size() + 1));
       if (line.starts_with("===")) continue;
       if (line.starts_with("MSG: ")) name = short_name(line.substr(5));
-      else
-        add(name, line);
+      else add(name, line);
     }
   }
 
@@ -83,14 +82,16 @@ private:
       return one;
     };
     const std::string_view type = word(), name = word();
-    if (type.empty() || name.empty() || name.find('=') != name.npos || word().starts_with('=')) return;  // a constant
+    if (type.empty() || name.empty() || name.find('=') != name.npos || word().starts_with('='))
+      return;  // a constant
     field f{.name = std::string(name), .type = short_name(type)};
     if (const std::size_t open = f.type.find('['); open != f.type.npos) {
       f.is_array = true;
       const std::string length = f.type.substr(open + 1, f.type.find(']') - open - 1);
       if (!length.starts_with("<="))
         for (const char c : length)
-          if (c >= '0' && c <= '9' && f.count < most_elements) f.count = 10 * f.count + static_cast<std::size_t>(c - '0');
+          if (c >= '0' && c <= '9' && f.count < most_elements)
+            f.count = 10 * f.count + static_cast<std::size_t>(c - '0');
       f.type = f.type.substr(0, open);
     }
     if (f.type.starts_with("string<=")) f.type = "string";

@@ -27,9 +27,10 @@ ran call(const std::string& port, words arguments, const std::string& token = do
 
 // Beats while a call waits for samples.
 struct beating {
-  explicit beating(played_program& p) : of([&p](const std::stop_token& end) {
-    while (!end.stop_requested()) p.beat(), std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }) {}
+  explicit beating(played_program& p)
+      : of([&p](const std::stop_token& end) {
+          while (!end.stop_requested()) p.beat(), std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }) {}
   std::jthread of;
 };
 
@@ -39,10 +40,13 @@ TEST_CASE("get prints values, one a line, or as JSON, without a token") {
   played_program p;
   const ran all = call(p.address(), {"get"}, "");
   CHECK_EQ(all.code, 0);
-  CHECK_EQ(all.out, "gait.frequency 1.5 Hz\ngait.steps 3\ngait.is_on true\ngait.kind trot\ngait.gains 1,2,3\n");
+  CHECK_EQ(all.out,
+           "gait.frequency 1.5 Hz\ngait.steps 3\ngait.is_on true\ngait.kind trot\ngait.gains 1,2,3\n");
   CHECK_EQ(all.err, "");
-  CHECK_EQ(call(p.address(), {"get", "gait.gains", "gait.kind"}, "").out, "gait.gains 1,2,3\ngait.kind trot\n");
-  CHECK_EQ(call(p.address(), {"get", "gait.frequency", "--json"}, "").out, "{\n  \"gait.frequency\": 1.5\n}\n");
+  CHECK_EQ(call(p.address(), {"get", "gait.gains", "gait.kind"}, "").out,
+           "gait.gains 1,2,3\ngait.kind trot\n");
+  CHECK_EQ(call(p.address(), {"get", "gait.frequency", "--json"}, "").out,
+           "{\n  \"gait.frequency\": 1.5\n}\n");
   const ran wrong = call(p.address(), {"get", "gait.frequncy"}, "");
   CHECK_EQ(wrong.code, 2);
   CHECK_EQ(wrong.err, "cca-call: there is no parameter gait.frequncy, did you mean `gait.frequency`?\n");
@@ -50,8 +54,10 @@ TEST_CASE("get prints values, one a line, or as JSON, without a token") {
 
 TEST_CASE("set changes all at once, or says why not, and gives the right to command back") {
   played_program p;
-  CHECK_EQ(call(p.address(), {"set", "gait.frequency", "2", "gait.gains=3,2,1", "gait.kind", "walk"}).code, 0);
-  CHECK_EQ(call(p.address(), {"get"}).out, "gait.frequency 2 Hz\ngait.steps 3\ngait.is_on true\ngait.kind walk\ngait.gains 3,2,1\n");
+  CHECK_EQ(call(p.address(), {"set", "gait.frequency", "2", "gait.gains=3,2,1", "gait.kind", "walk"}).code,
+           0);
+  CHECK_EQ(call(p.address(), {"get"}).out,
+           "gait.frequency 2 Hz\ngait.steps 3\ngait.is_on true\ngait.kind walk\ngait.gains 3,2,1\n");
 
   const ran beyond = call(p.address(), {"set", "gait.steps", "4", "gait.frequency", "9"});
   CHECK_EQ(beyond.code, 2);
@@ -69,7 +75,8 @@ TEST_CASE("set changes all at once, or says why not, and gives the right to comm
   p.controls.fake.answers(how::done);
   CHECK_EQ(call(p.address(), {"undo"}).code, 0);
   CHECK_EQ(call(p.address(), {"get", "gait.frequency"}).out, "gait.frequency 1.5 Hz\n");
-  for (const std::string& one : p.controls.fake.noted()) CHECK_EQ(one.find("lost its connection"), std::string::npos);
+  for (const std::string& one : p.controls.fake.noted())
+    CHECK_EQ(one.find("lost its connection"), std::string::npos);
 }
 
 TEST_CASE("what is a call of a service does what its name says") {
@@ -127,7 +134,8 @@ TEST_CASE("while another one commands, a change is refused with its name, and st
   holder.send(SIGINT);
   CHECK_EQ(holder.end().code, 130);
   CHECK(door_test::soon([&] { return p.controls.fake.was_asked(about::release, "push"); }));
-  for (const std::string& one : p.controls.fake.noted()) CHECK_EQ(one.find("lost its connection"), std::string::npos);
+  for (const std::string& one : p.controls.fake.noted())
+    CHECK_EQ(one.find("lost its connection"), std::string::npos);
 }
 
 TEST_CASE("a command is held for a time, or once") {
@@ -141,7 +149,8 @@ TEST_CASE("a command is held for a time, or once") {
   CHECK_EQ(call(p.address(), {"command", "wave"}).code, 0);
   CHECK_EQ(call(p.address(), {"command", "wave", "--for", "1"}).code, 2);
   CHECK_EQ(call(p.address(), {"command", "push", "force=99"}).code, 2);
-  CHECK_EQ(call(p.address(), {"command", "wive"}).err, "cca-call: there is no command wive, did you mean `wave`?; `describe` lists all\n");
+  CHECK_EQ(call(p.address(), {"command", "wive"}).err,
+           "cca-call: there is no command wive, did you mean `wave`?; `describe` lists all\n");
   CHECK_EQ(call(p.address(), {"release", "push"}).code, 0);
 }
 
@@ -170,11 +179,14 @@ TEST_CASE("status and describe") {
   CHECK_NE(now.out.find("\nfault lost contact\n"), std::string::npos);
   CHECK_NE(now.out.find("\nstate running\n"), std::string::npos);
   CHECK_NE(now.out.find("\nenvironments.mind.late 17\n"), std::string::npos);
-  CHECK_EQ(nlohmann::json::parse(call(p.address(), {"status", "--json"}, "").out)["environments"][0]["name"], "robot");
+  CHECK_EQ(nlohmann::json::parse(call(p.address(), {"status", "--json"}, "").out)["environments"][0]["name"],
+           "robot");
   const ran all = call(p.address(), {"describe"}, "");
-  for (const char* const line : {"program oncilla_trot\n", "mode stand\n", "part arm\n", "node sink\n", "output gait.angles: hip rad, knee rad\n",
-                                 "parameter gait.frequency 1.5 Hz (0.1 to 5 Hz)\n", "parameter gait.kind trot (trot, walk)\n",
-                                 "command push force=0 (-50 to 50 N) angle=0 (-3 to 3 rad), held: pushes the body\n"})
+  for (const char* const line :
+       {"program oncilla_trot\n", "mode stand\n", "part arm\n", "node sink\n",
+        "output gait.angles: hip rad, knee rad\n", "parameter gait.frequency 1.5 Hz (0.1 to 5 Hz)\n",
+        "parameter gait.kind trot (trot, walk)\n",
+        "command push force=0 (-50 to 50 N) angle=0 (-3 to 3 rad), held: pushes the body\n"})
     CHECK_MESSAGE(all.out.find(line) != std::string::npos, line, " in ", all.out);
 }
 
@@ -229,12 +241,22 @@ TEST_CASE("no server, a server that is killed, one that does not take the reques
 }
 
 TEST_CASE("a wrong command line is refused before anything is connected") {
-  for (const words& wrong : {words{}, {"8765"}, {"8765", "got"}, {"8765", "pause", "now"}, {"8765", "watch"}, {"x", "get"}, {"8765", "pause", "--json"},
-                             {"8765", "get", "--count", "2"}, {"8765", "start"}, {"8765", "get", "--token", "a b"}, {"8765", "get", "--no"}}) {
+  for (const words& wrong : {words{},
+                             {"8765"},
+                             {"8765", "got"},
+                             {"8765", "pause", "now"},
+                             {"8765", "watch"},
+                             {"x", "get"},
+                             {"8765", "pause", "--json"},
+                             {"8765", "get", "--count", "2"},
+                             {"8765", "start"},
+                             {"8765", "get", "--token", "a b"},
+                             {"8765", "get", "--no"}}) {
     const ran one = running(CCA_CALL, wrong).end();
     CHECK_EQ(one.code, 2);
     CHECK(one.err.starts_with("cca-call: "));
   }
-  CHECK_EQ(running(CCA_CALL, {"8765", "puse"}).end().err, "cca-call: there is no command `puse`, did you mean `pause`?\n");
+  CHECK_EQ(running(CCA_CALL, {"8765", "puse"}).end().err,
+           "cca-call: there is no command `puse`, did you mean `pause`?\n");
   CHECK_NE(running(CCA_CALL, {"--help"}).end().out.find("set NAME VALUE ..."), std::string::npos);
 }

@@ -47,7 +47,8 @@ struct silent_listener {
 };
 
 struct talk {
-  explicit talk(const door_address& to, const std::string& token = "", patience p = {}) : line(to, token, p) {}
+  explicit talk(const door_address& to, const std::string& token = "", patience p = {})
+      : line(to, token, p) {}
   client line;
   known_door door{};
   std::string closed{};
@@ -181,8 +182,9 @@ TEST_CASE("a token comes from an option, a file or the environment") {
 }
 
 TEST_CASE("what is typed becomes a value, or is refused with unit and range") {
-  const parameter number{"a", "number", "Hz", 1.0, 0.1, 5.0, {}}, whole{"b", "integer", "", 1, {}, {}, {}}, yes{"c", "boolean", "", true, {}, {}, {}},
-      text{"d", "text", "", "x", {}, {}, {"x", "y"}}, numbers{"e", "numbers", "rad", {1.0, 2.0}, {}, {}, {}};
+  const parameter number{"a", "number", "Hz", 1.0, 0.1, 5.0, {}}, whole{"b", "integer", "", 1, {}, {}, {}},
+      yes{"c", "boolean", "", true, {}, {}, {}}, text{"d", "text", "", "x", {}, {}, {"x", "y"}},
+      numbers{"e", "numbers", "rad", {1.0, 2.0}, {}, {}, {}};
   CHECK_EQ(value_in(number, "-2.5e1"), json(-25.0));
   CHECK_EQ(value_in(whole, "-7"), json(-7));
   CHECK_EQ(value_in(yes, "false"), json(false));
@@ -201,17 +203,26 @@ TEST_CASE("what is typed becomes a value, or is refused with unit and range") {
 }
 
 TEST_CASE("a schema with inner messages, arrays and texts, and bytes that do not fit it") {
-  const message_schema schema("std_msgs/Header header\nstring[] name\nfloat64[2] pair\nbool on\nint64 kind  # 0 walk, 1 trot\nuint8 MOST=7\n"
-                              "================\nMSG: std_msgs/Header\nbuiltin_interfaces/msg/Time stamp\nstring frame_id\n"
-                              "================\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n");
+  const message_schema schema(
+      "std_msgs/Header header\nstring[] name\nfloat64[2] pair\nbool on\nint64 kind  # 0 walk, 1 trot\nuint8 "
+      "MOST=7\n"
+      "================\nMSG: std_msgs/Header\nbuiltin_interfaces/msg/Time stamp\nstring frame_id\n"
+      "================\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n");
   unsigned char memory[256];
   cca::recording::detail::cdr_writer to(memory);
-  to.add(std::int32_t{5}).add(std::uint32_t{7}).add(std::string_view("hip")).add(std::uint32_t{2}).add(std::string_view("a")).add(std::string_view("bc"));
+  to.add(std::int32_t{5})
+      .add(std::uint32_t{7})
+      .add(std::string_view("hip"))
+      .add(std::uint32_t{2})
+      .add(std::string_view("a"))
+      .add(std::string_view("bc"));
   to.add(1.5).add(-2.0).add(std::uint8_t{1}).add(std::int64_t{1});
   const std::string bytes(reinterpret_cast<const char*>(to.view().data()), to.view().size());
   const auto read = schema.read(bytes);
   REQUIRE(read);
-  CHECK_EQ(read->dump(), R"({"header":{"stamp":{"sec":5,"nanosec":7},"frame_id":"hip"},"name":["a","bc"],"pair":[1.5,-2.0],"on":true,"kind":1})");
+  CHECK_EQ(
+      read->dump(),
+      R"({"header":{"stamp":{"sec":5,"nanosec":7},"frame_id":"hip"},"name":["a","bc"],"pair":[1.5,-2.0],"on":true,"kind":1})");
   CHECK_EQ(schema.fields()[4].unit, "");
   for (std::size_t size = 0; size < bytes.size(); ++size) CHECK(!schema.read(bytes.substr(0, size)));
   CHECK(!message_schema("other/Type x\n").read(bytes));

@@ -1,5 +1,5 @@
-// A program behind a real door, that only plays: some environments, any number of outputs at their rates, a part
-// that rests, a fault on demand.
+// A program behind a real door, that only plays: some environments, any number of outputs at their rates, a
+// part that rests, a fault on demand.
 #pragma once
 
 #include <chrono>
@@ -47,7 +47,8 @@ public:
     std::vector<cca::detail::door_environment> all{
         {"robot", 123456, 3, 1, 0, 12.1e-6, 25e-6, 101e-6, 4e-6, 12e-6, 81e-6},
         {"mind", 12345, 0, 0, 17, 0.8e-3, 1.9e-3, 12.5e-3, 55e-6, 91e-6, 400e-6}};
-    for (int i = 2; i < environment_count; ++i) all.push_back({.name = "worker_" + std::to_string(i), .beats = i});
+    for (int i = 2; i < environment_count; ++i)
+      all.push_back({.name = "worker_" + std::to_string(i), .beats = i});
     all.resize(static_cast<std::size_t>(environment_count));
     return all;
   }
@@ -67,7 +68,11 @@ public:
     add("/gait/angles", "float64 hip  # rad, -0.9 to 0.9\nfloat64 knee  # rad\n");
     add("/robot/angles", "float64 hip  # rad\nfloat64 knee  # rad\n");
     for (int i = 0; i < outputs; ++i) add("/mind/part_" + std::to_string(i) + "/status", "float64 done\n");
-    door.sink().channel({.id = ++last, .topic = "/cca/state", .type = "cca/msg/state", .schema = "int64 beat\nstring state\n", .is_kept = true});
+    door.sink().channel({.id = ++last,
+                         .topic = "/cca/state",
+                         .type = "cca/msg/state",
+                         .schema = "int64 beat\nstring state\n",
+                         .is_kept = true});
   }
 
   played_controls controls;
@@ -94,7 +99,10 @@ private:
   std::int64_t k = 0;
 
   void add(const std::string& topic, const std::string& fields) {
-    door.sink().channel({.id = ++last, .topic = topic, .type = "cca/msg/one", .schema = "int64 beat\nint64 origin  # ns\n" + fields});
+    door.sink().channel({.id = ++last,
+                         .topic = topic,
+                         .type = "cca/msg/one",
+                         .schema = "int64 beat\nint64 origin  # ns\n" + fields});
   }
 };
 

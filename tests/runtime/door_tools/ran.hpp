@@ -23,7 +23,9 @@ namespace door_tools_test {
 
 using words = std::vector<std::string>;
 
-[[noreturn]] inline void become(const std::string& program, const words& arguments, const words& environment) {
+[[noreturn]] inline void become(const std::string& program,
+                                const words& arguments,
+                                const words& environment) {
   ::close_range(3, ~0U, 0);  // also the door of the test: else its port stays taken
   std::vector<std::string> all{program};
   all.insert(all.end(), arguments.begin(), arguments.end());
@@ -101,7 +103,11 @@ private:
 // In a terminal of its own. `shown` is what it has written since, codes included.
 class in_terminal {
 public:
-  in_terminal(const std::string& program, const words& arguments, const words& environment, int width = 80, int height = 24) {
+  in_terminal(const std::string& program,
+              const words& arguments,
+              const words& environment,
+              int width = 80,
+              int height = 24) {
     winsize size{};
     size.ws_col = static_cast<unsigned short>(width), size.ws_row = static_cast<unsigned short>(height);
     int master = -1, slave = -1;
@@ -126,7 +132,9 @@ public:
 
   std::string shown{};
 
-  void type(const std::string& keys) const { CHECK_EQ(::write(file, keys.data(), keys.size()), static_cast<ssize_t>(keys.size())); }
+  void type(const std::string& keys) const {
+    CHECK_EQ(::write(file, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
+  }
   void send(int signal) const { ::kill(id, signal); }
   void resize(int width, int height) const {
     winsize size{};

@@ -30,16 +30,38 @@ std::string sample_bytes(std::int64_t beat, std::initializer_list<double> values
 }
 
 json channel_json(int id, const std::string& topic) {
-  return {{"id", id}, {"topic", topic}, {"encoding", "cdr"}, {"schemaName", "cca/msg/one"}, {"schema", "int64 beat\nint64 origin  # ns\nfloat64 hip  # rad\nfloat64 knee\n"}};
+  return {{"id", id},
+          {"topic", topic},
+          {"encoding", "cdr"},
+          {"schemaName", "cca/msg/one"},
+          {"schema", "int64 beat\nint64 origin  # ns\nfloat64 hip  # rad\nfloat64 knee\n"}};
 }
 
 json status_json() {
-  return {{"state", "running"}, {"beat", 2000}, {"period", 1000000}, {"overruns", 0}, {"is_paused", false}, {"speed", 1.0},
-          {"mode", "walk"}, {"fault", ""}, {"fault_path", ""}, {"recording", "trot.mcap"}, {"clients", 2},
+  return {{"state", "running"},
+          {"beat", 2000},
+          {"period", 1000000},
+          {"overruns", 0},
+          {"is_paused", false},
+          {"speed", 1.0},
+          {"mode", "walk"},
+          {"fault", ""},
+          {"fault_path", ""},
+          {"recording", "trot.mcap"},
+          {"clients", 2},
           {"stopped_parts", json::array()},
-          {"environments", {{{"name", "robot"}, {"beats", 2000}, {"overruns", 3}, {"lost_periods", 0}, {"late", 1},
-                             {"beat_mean", 12.1e-6}, {"beat_p99", 25e-6}, {"beat_most", 101e-6},
-                             {"wake_up_mean", 4e-6}, {"wake_up_p99", 12e-6}, {"wake_up_most", 0.0812}}}}};
+          {"environments",
+           {{{"name", "robot"},
+             {"beats", 2000},
+             {"overruns", 3},
+             {"lost_periods", 0},
+             {"late", 1},
+             {"beat_mean", 12.1e-6},
+             {"beat_p99", 25e-6},
+             {"beat_most", 101e-6},
+             {"wake_up_mean", 4e-6},
+             {"wake_up_p99", 12e-6},
+             {"wake_up_most", 0.0812}}}}};
 }
 
 // A terminal whose program has greeted, with `count` outputs more than the two.
@@ -51,21 +73,41 @@ struct shown_program {
 
   explicit shown_program(int count = 0, const std::string& prefix = "/mind/part_") {
     model.take({.what = event::kind::opened});
-    json channels{{{"id", 60001}, {"topic", "/cca/status"}, {"encoding", "json"}}, {{"id", 60002}, {"topic", "/cca/log"}, {"encoding", "json"}},
-                  channel_json(1, "/gait/angles"), channel_json(2, "/robot/angles")};
-    channels.push_back({{"id", 3}, {"topic", "/cca/state"}, {"encoding", "cdr"}, {"schema", "int64 beat\nstring state\n"}});
-    for (int i = 0; i < count; ++i) channels.push_back(channel_json(4 + i, prefix + std::to_string(i) + "/status"));
+    json channels{{{"id", 60001}, {"topic", "/cca/status"}, {"encoding", "json"}},
+                  {{"id", 60002}, {"topic", "/cca/log"}, {"encoding", "json"}},
+                  channel_json(1, "/gait/angles"),
+                  channel_json(2, "/robot/angles")};
+    channels.push_back(
+        {{"id", 3}, {"topic", "/cca/state"}, {"encoding", "cdr"}, {"schema", "int64 beat\nstring state\n"}});
+    for (int i = 0; i < count; ++i)
+      channels.push_back(channel_json(4 + i, prefix + std::to_string(i) + "/status"));
     model.take(text_event({{"op", "advertise"}, {"channels", channels}}));
     rights(true, false, "");
-    model.take(text_event({{"op", "cca.description"}, {"program", "trot"}, {"nodes", {"gait", "robot", "sink"}},
-                           {"parameters", {{{"path", "gait.frequency"}, {"kind", "number"}, {"value", 1.5}, {"unit", "Hz"}, {"lower", 0.1}, {"upper", 5.0}, {"choices", json::array()}},
-                                           {{"path", "gait.kind"}, {"kind", "text"}, {"value", "trot"}, {"unit", ""}, {"choices", {"trot", "walk"}}}}}}));
+    model.take(text_event({{"op", "cca.description"},
+                           {"program", "trot"},
+                           {"nodes", {"gait", "robot", "sink"}},
+                           {"parameters",
+                            {{{"path", "gait.frequency"},
+                              {"kind", "number"},
+                              {"value", 1.5},
+                              {"unit", "Hz"},
+                              {"lower", 0.1},
+                              {"upper", 5.0},
+                              {"choices", json::array()}},
+                             {{"path", "gait.kind"},
+                              {"kind", "text"},
+                              {"value", "trot"},
+                              {"unit", ""},
+                              {"choices", {"trot", "walk"}}}}}}));
     status(status_json());
     lines();
     model.look_at(view.looked_at);
   }
   void rights(bool may, bool commands, const std::string& who) {
-    model.take(text_event({{"op", "cca.rights"}, {"mayChange", may}, {"commands", commands}, {"commandedBy", who.empty() ? json() : json(who)}}));
+    model.take(text_event({{"op", "cca.rights"},
+                           {"mayChange", may},
+                           {"commands", commands},
+                           {"commandedBy", who.empty() ? json() : json(who)}}));
   }
   void status(const json& all) { model.take(sample_event(1, 2'000'000'000, all.dump())); }
   std::vector<std::string> lines() {
@@ -91,7 +133,8 @@ struct shown_program {
   // Services and messages that it wants to send, and forgets.
   std::string asked() {
     std::string all;
-    for (const to_door& one : std::exchange(model.outgoing, {})) all += one.service.empty() ? text_in(one.message, "op") + ";" : one.service + one.message.dump() + ";";
+    for (const to_door& one : std::exchange(model.outgoing, {}))
+      all += one.service.empty() ? text_in(one.message, "op") + ";" : one.service + one.message.dump() + ";";
     return all;
   }
   const watched_output& output(std::size_t i) const { return model.outputs[i]; }
@@ -119,23 +162,29 @@ TEST_CASE("rates and ages are those of virtual time") {
   const std::uint32_t gait = p.output(0).subscription, robot = p.output(1).subscription;
   REQUIRE_GT(gait, 2);
   for (int k = 0; k <= 1000; ++k) {
-    p.model.take(sample_event(gait, 2'000'000'000 + static_cast<std::uint64_t>(k) * 1'000'000, sample_bytes(2000 + k, {0.25, -1.5})));
-    if (k % 4 == 0) p.model.take(sample_event(robot, 2'000'000'000 + static_cast<std::uint64_t>(k) * 1'000'000, sample_bytes(2000 + k, {1, 2})));
+    p.model.take(sample_event(gait, 2'000'000'000 + static_cast<std::uint64_t>(k) * 1'000'000,
+                              sample_bytes(2000 + k, {0.25, -1.5})));
+    if (k % 4 == 0)
+      p.model.take(sample_event(robot, 2'000'000'000 + static_cast<std::uint64_t>(k) * 1'000'000,
+                                sample_bytes(2000 + k, {1, 2})));
   }
   p.model.each_second();
   CHECK_EQ(p.output(0).rate(), doctest::Approx(1000));
   CHECK_EQ(p.output(1).rate(), doctest::Approx(250));
-  CHECK_EQ(p.line_with("gait.angles"), "gait.angles                      1000 Hz      0 us  0.25 -1.5                   ");
+  CHECK_EQ(p.line_with("gait.angles"),
+           "gait.angles                      1000 Hz      0 us  0.25 -1.5                   ");
   // Time goes on, the outputs do not.
   p.model.take({.what = event::kind::time, .time = 15'500'000'000});
   p.model.each_second();
-  CHECK_EQ(p.line_with("gait.angles").substr(0, 61), "gait.angles                            -    12.5 s  0.25 -1.5");
+  CHECK_EQ(p.line_with("gait.angles").substr(0, 61),
+           "gait.angles                            -    12.5 s  0.25 -1.5");
 }
 
 TEST_CASE("an output that is slower than a second has its rate") {
   shown_program p;
   for (std::uint64_t k = 0; k < 6; ++k) {
-    p.model.take(sample_event(p.output(0).subscription, 2'000'000'000 + k * 4'000'000'000, sample_bytes(1, {0, 0})));
+    p.model.take(
+        sample_event(p.output(0).subscription, 2'000'000'000 + k * 4'000'000'000, sample_bytes(1, {0, 0})));
     for (int i = 0; i < 4; ++i) p.model.each_second();
   }
   CHECK_EQ(p.output(0).rate(), doctest::Approx(0.25));
@@ -280,12 +329,20 @@ TEST_CASE("a value is typed, sent, taken or refused") {
   p.press_keys("2\r\x15zwei\r");
   CHECK_EQ(p.asked(), "");
   CHECK_NE(p.line_with("gait.frequency = zwei: expected a number, 0.1 to 5 Hz"), "");
-  p.press_keys("\r\x15" "2.5\x1b[D\x1b[D\x7f" "3\r");  // left, left, back: 3.5
+  p.press_keys(
+      "\r\x15"
+      "2.5\x1b[D\x1b[D\x7f"
+      "3\r");  // left, left, back: 3.5
   REQUIRE_EQ(p.model.outgoing.size(), 1);
   CHECK_EQ(p.model.outgoing[0].message["parameters"].dump(), R"([{"name":"gait.frequency","value":3.5}])");
-  p.model.take(text_event({{"op", "parameterValues"}, {"id", "top"}, {"parameters", {{{"name", "gait.frequency"}, {"value", 3.5}}}}}));
+  p.model.take(text_event({{"op", "parameterValues"},
+                           {"id", "top"},
+                           {"parameters", {{{"name", "gait.frequency"}, {"value", 3.5}}}}}));
   CHECK_NE(p.line_with("gait.frequency is 3.5 Hz"), "");
-  p.model.take(text_event({{"op", "status"}, {"level", 2}, {"message", "setParameters: gait.frequency = 9: expected a number from 0.1 to 5 Hz"}}));
+  p.model.take(
+      text_event({{"op", "status"},
+                  {"level", 2},
+                  {"message", "setParameters: gait.frequency = 9: expected a number from 0.1 to 5 Hz"}}));
   CHECK_NE(p.line_with("gait.frequency = 9: expected a number from 0.1 to 5 Hz"), "");
   p.press_keys("\r9\x1b");  // escape: as it was
   CHECK_EQ(p.view.types, top_view::typing::nothing);

@@ -24,9 +24,10 @@ words in_environment(const std::string& token = door_test::token, const char* lo
 }
 
 struct beating {
-  explicit beating(played_program& p) : of([&p](const std::stop_token& end) {
-    while (!end.stop_requested()) p.beat(), std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }) {}
+  explicit beating(played_program& p)
+      : of([&p](const std::stop_token& end) {
+          while (!end.stop_requested()) p.beat(), std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }) {}
   std::jthread of;
 };
 
@@ -43,9 +44,13 @@ TEST_CASE("it shows the program, changes a parameter, stops the run, and leaves 
   CHECK(t.shows("YOU COMMAND"));
   t.type("2");
   CHECK(t.shows("0.1 to 5 Hz"));
-  t.type("\r\x15" "9\r");
+  t.type(
+      "\r\x15"
+      "9\r");
   CHECK(t.shows("gait.frequency = 9: expected a number from 0.1 to 5 Hz"));
-  t.type("\r\x15" "2.5\r");
+  t.type(
+      "\r\x15"
+      "2.5\r");
   CHECK(t.shows("gait.frequency is 2.5 Hz"));
   t.type("p");
   CHECK(door_test::soon([&] { return p.controls.fake.was_asked(about::pause); }));
@@ -136,7 +141,8 @@ TEST_CASE("a program that commands and goes away gives the command back") {
   CHECK(gone.shows("YOU COMMAND"));
   gone.send(SIGHUP);
   CHECK_EQ(gone.end(), 129);
-  CHECK(door_test::soon([&] { return p.controls.fake.noted().back().ends_with("lost its connection while it commanded"); }));
+  CHECK(door_test::soon(
+      [&] { return p.controls.fake.noted().back().ends_with("lost its connection while it commanded"); }));
 }
 
 TEST_CASE("where there is no terminal it says so") {

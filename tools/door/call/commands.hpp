@@ -44,7 +44,8 @@ inline void get(conversation& door, const call_options& o, std::ostream& out) {
 }
 
 // `NAME VALUE` and `NAME=VALUE`.
-inline std::vector<std::pair<std::string, std::string>> assignments_in(const std::vector<std::string>& words) {
+inline std::vector<std::pair<std::string, std::string>> assignments_in(
+    const std::vector<std::string>& words) {
   std::vector<std::pair<std::string, std::string>> all;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::size_t equals = words[i].find('=');
@@ -92,7 +93,8 @@ inline void status(conversation& door, const call_options& o, std::ostream& out)
       "no status comes");
   if (o.json) return void(out << written(now, 2) << '\n');
   for (const auto& [name, value] : now.items()) {
-    if (name != "environments") out << name << ' ' << text_of_value(value.is_null() ? json("") : value) << '\n';
+    if (name != "environments")
+      out << name << ' ' << text_of_value(value.is_null() ? json("") : value) << '\n';
   }
   for (const json& one : list_in(now, "environments"))
     for (const auto& [name, value] : one.items())
@@ -146,7 +148,8 @@ inline void watch(conversation& door, const call_options& o, std::ostream& out, 
     std::vector<std::string> paths;
     for (const channel& one : door.told().channels) paths.push_back(path_of(one.topic));
     std::vector<std::string_view> names(paths.begin(), paths.end());
-    throw cca::refused("there is no output " + o.words[0] + meant(o.words[0], names) + "; `describe` lists all");
+    throw cca::refused("there is no output " + o.words[0] + meant(o.words[0], names) +
+                       "; `describe` lists all");
   }
   const channel of = *found;
   const message_schema schema(of.schema);
@@ -175,7 +178,10 @@ inline void watch(conversation& door, const call_options& o, std::ostream& out, 
     } else {
       out << seconds_text(one.time);
       for (const auto& [name, value] : read->items())
-        out << ' ' << (value.is_number_float() && value.get<double>() != value.get<double>() ? "nan" : value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, json::error_handler_t::replace));
+        out << ' '
+            << (value.is_number_float() && value.get<double>() != value.get<double>() ? "nan"
+                : value.is_string() ? value.get<std::string>()
+                                    : value.dump(-1, ' ', false, json::error_handler_t::replace));
       out << '\n';
     }
     return ++count == o.count;
@@ -208,8 +214,8 @@ inline void command(conversation& door, const call_options& o, std::ostream& err
   door.call("/cca/command/" + name, arguments);
   if (!is_held) return;
   if (!o.hold_for) error << "cca-call: " << name << " is held until ctrl-c\n" << std::flush;
-  const auto end = conversation::clock::now() +
-                   std::chrono::duration_cast<conversation::clock::duration>(std::chrono::duration<double>(o.hold_for.value_or(1e6)));
+  const auto end = conversation::clock::now() + std::chrono::duration_cast<conversation::clock::duration>(
+                                                    std::chrono::duration<double>(o.hold_for.value_or(1e6)));
   // A signal ends it too: giving the command back releases it.
   while (conversation::clock::now() < end) door.next([](const event&) { return false; });
   door.call("/cca/release/" + name);

@@ -1,6 +1,7 @@
 // A connection for one call: it asks, and waits for the answer.
 //
-// Errors: cca::refused, what the door refuses, with its reason; no_connection, for everything about the connection.
+// Errors: cca::refused, what the door refuses, with its reason; no_connection, for everything about the
+// connection.
 #pragma once
 
 #include <chrono>
@@ -46,7 +47,8 @@ public:
       throw cca::refused("this is not the token of the door at " + address.text() +
                          ": the program printed it at its start");
     if (!door.may_read)
-      throw cca::refused("the door at " + address.text() + " needs a token for reading, too: --token or --token-file");
+      throw cca::refused("the door at " + address.text() +
+                         " needs a token for reading, too: --token or --token-file");
   }
 
   const known_door& told() const { return door; }
@@ -109,8 +111,7 @@ public:
   }
 
   void need_token(const std::string& what) const {
-    if (!has_token)
-      throw cca::refused(what + " needs the token: --token, --token-file or CCA_TOKEN");
+    if (!has_token) throw cca::refused(what + " needs the token: --token, --token-file or CCA_TOKEN");
   }
   void take_command() {
     need_token("a change");

@@ -23,7 +23,7 @@ struct call_options {
   std::string command{};
   std::vector<std::string> words{};  // after the command
   bool json = false;
-  std::uint64_t count = 0;  // 0: no end
+  std::uint64_t count = 0;           // 0: no end
   std::optional<double> hold_for{};  // s
   double answers_within = 10;        // s
   std::vector<std::string> all_words{};
@@ -39,7 +39,8 @@ struct call_command {
 inline constexpr std::size_t any_number = 1000;
 inline constexpr call_command call_commands[] = {
     {"get", "[NAME...]", "values of parameters, one a line, with --json as an object", 0, any_number},
-    {"set", "NAME VALUE ...", "all in one beat, or none; also NAME=VALUE, as numbers below 0 need it", 1, any_number},
+    {"set", "NAME VALUE ...", "all in one beat, or none; also NAME=VALUE, as numbers below 0 need it", 1,
+     any_number},
     {"undo", "", "takes back the last change of parameters", 0, 0},
     {"load", "FILE [SCOPE]", "parameters from a file of the program's folder", 1, 2},
     {"save", "[FILE] [SCOPE]", "parameters into a file of the program's folder", 0, 2},
@@ -56,7 +57,8 @@ inline constexpr call_command call_commands[] = {
     {"resume", "", "starts again after the end or a fault", 0, 0},
     {"record", "[FILE]", "begins a recording", 0, 1},
     {"end-recording", "", "and ends it", 0, 0},
-    {"command", "NAME [ARGUMENT=VALUE...]", "a command of the program; a held one until ctrl-c or --for S", 1, any_number},
+    {"command", "NAME [ARGUMENT=VALUE...]", "a command of the program; a held one until ctrl-c or --for S", 1,
+     any_number},
     {"release", "NAME", "ends the effect of a command", 1, 1},
 };
 
@@ -72,12 +74,14 @@ inline void call_options::add_to(cca::command_line& line) {
   line.flag("--json", json, "get, status, describe, watch: prints JSON");
   line.whole_number("--count N", count, 1, "watch: ends after N samples");
   line.number("--for S", hold_for, 0, 1e6, "command: holds it so many seconds");
-  line.number("--timeout S", answers_within, 0.01, 600, "how long it waits for a connection or an answer (10)");
+  line.number("--timeout S", answers_within, 0.01, 600,
+              "how long it waits for a connection or an answer (10)");
 }
 
 // The words into the address, the command and its arguments; what is wrong is refused.
 inline void call_options::split() {
-  if (all_words.size() < 2) throw cca::command_line_error("expected a port and a command, as `8765 get`; see --help");
+  if (all_words.size() < 2)
+    throw cca::command_line_error("expected a port and a command, as `8765 get`; see --help");
   door = address_in(all_words[0]);
   command = all_words[1];
   words.assign(all_words.begin() + 2, all_words.end());
@@ -89,8 +93,9 @@ inline void call_options::split() {
   }
   if (!of) {
     const std::string_view near = cca::detail::nearest_name(command, names);
-    throw cca::command_line_error("there is no command `" + command + "`" +
-                                  (near.empty() ? "; see --help" : ", did you mean `" + std::string(near) + "`?"));
+    throw cca::command_line_error(
+        "there is no command `" + command + "`" +
+        (near.empty() ? "; see --help" : ", did you mean `" + std::string(near) + "`?"));
   }
   if (words.size() < of->least || words.size() > of->most)
     throw cca::command_line_error("expected `" + command + (of->arguments.empty() ? "" : " ") +

@@ -1,5 +1,5 @@
-// Text in columns of a terminal: what comes from another program may be of any length, hold any byte, and be of
-// characters that this terminal can't show.
+// Text in columns of a terminal: what comes from another program may be of any length, hold any byte, and be
+// of characters that this terminal can't show.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +21,15 @@ inline char32_t code_point(std::string_view one) {
   return code;
 }
 
-// How many columns it takes: 2 for East Asian characters, 0 for accents on the one before. Terminals agree on these
-// ranges; wcwidth would depend on the locale.
+// How many columns it takes: 2 for East Asian characters, 0 for accents on the one before. Terminals agree on
+// these ranges; wcwidth would depend on the locale.
 inline std::size_t columns_of(char32_t c) {
   const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
-  if (within(0x300, 0x36F) || within(0x200B, 0x200F) || within(0x20D0, 0x20FF) || within(0xFE00, 0xFE0F)) return 0;
+  if (within(0x300, 0x36F) || within(0x200B, 0x200F) || within(0x20D0, 0x20FF) || within(0xFE00, 0xFE0F))
+    return 0;
   if (within(0x1100, 0x115F) || within(0x2E80, 0xA4CF) || within(0xAC00, 0xD7A3) || within(0xF900, 0xFAFF) ||
-      within(0xFE30, 0xFE6F) || within(0xFF00, 0xFF60) || within(0xFFE0, 0xFFE6) || within(0x1F300, 0x1FAFF) ||
-      within(0x20000, 0x3FFFD))
+      within(0xFE30, 0xFE6F) || within(0xFF00, 0xFF60) || within(0xFFE0, 0xFFE6) ||
+      within(0x1F300, 0x1FAFF) || within(0x20000, 0x3FFFD))
     return 2;
   return 1;
 }
@@ -38,8 +39,8 @@ struct shown_text {
   std::size_t columns = 0;
 };
 
-// At most `most` columns of it. Control characters and bytes that are no UTF-8 become `?`; without `utf8` so does
-// every character that is not ASCII.
+// At most `most` columns of it. Control characters and bytes that are no UTF-8 become `?`; without `utf8` so
+// does every character that is not ASCII.
 inline shown_text shown(std::string_view text, std::size_t most, bool utf8) {
   shown_text all;
   while (!text.empty()) {
@@ -55,7 +56,9 @@ inline shown_text shown(std::string_view text, std::size_t most, bool utf8) {
   return all;
 }
 
-inline std::size_t columns_of(std::string_view text, bool utf8) { return shown(text, text.size() * 2, utf8).columns; }
+inline std::size_t columns_of(std::string_view text, bool utf8) {
+  return shown(text, text.size() * 2, utf8).columns;
+}
 
 // Exactly so many columns, blanks at the end. What is too long ends with `~`.
 inline std::string left(std::string_view text, std::size_t columns, bool utf8) {

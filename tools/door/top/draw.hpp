@@ -1,4 +1,5 @@
-// The lines of the screen, made of the model and the view. They are ASCII, but for names that the program brings.
+// The lines of the screen, made of the model and the view. They are ASCII, but for names that the program
+// brings.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,8 @@ inline std::string duration_text(double seconds) {
   if (seconds < 0.9995) return formatted(seconds < 9.995e-3 ? "%.2f ms" : "%.1f ms", seconds * 1e3);
   if (seconds < 99.95) return formatted("%.1f s", seconds);
   if (seconds < 6000) return formatted("%.0f s", seconds);
-  return formatted(seconds < 360000 ? "%.0f min" : "%.0f h", seconds < 360000 ? seconds / 60 : seconds / 3600);
+  return formatted(seconds < 360000 ? "%.0f min" : "%.0f h",
+                   seconds < 360000 ? seconds / 60 : seconds / 3600);
 }
 
 inline std::string rate_text(double hz) {
@@ -82,19 +84,31 @@ public:
   std::vector<screen_line> lines() {
     view.looked_at.clear();
     head();
-    if (view.at != page::environments) environments(std::max<std::size_t>(1, (size.height - std::min<std::size_t>(size.height, 10)) / 4));
+    if (view.at != page::environments)
+      environments(std::max<std::size_t>(1, (size.height - std::min<std::size_t>(size.height, 10)) / 4));
     tabs();
     // The last lines are for what is said, two if it is long, and for the keys.
-    const std::size_t last = view.types == top_view::typing::nothing && size.height > 10 && columns_of(model.remark, utf8) > size.width ? 3 : 2;
+    const std::size_t last = view.types == top_view::typing::nothing && size.height > 10 &&
+                                     columns_of(model.remark, utf8) > size.width
+                                 ? 3
+                                 : 2;
     const std::size_t rows = size.height > all.size() + 1 + last ? size.height - all.size() - 1 - last : 0;
     titles();
     view.keep_in_view(view.row_count(model), rows);
     const std::size_t end = all.size() + rows;
     switch (view.at) {
-      case page::components: components(rows); break;
-      case page::parameters: parameters(rows); break;
-      case page::log: log(rows); break;
-      case page::environments: environment_rows(view.here().first, rows); break;
+      case page::components:
+        components(rows);
+        break;
+      case page::parameters:
+        parameters(rows);
+        break;
+      case page::log:
+        log(rows);
+        break;
+      case page::environments:
+        environment_rows(view.here().first, rows);
+        break;
     }
     while (all.size() < end) line();
     // On a terminal of a few lines the head gives way: what is said and the keys stay.
@@ -123,13 +137,16 @@ private:
     screen_line& first = line();
     const style how = model.is_open ? style::bar : style::stop;
     const std::size_t end_size = std::min(columns_of(end, utf8), size.width);
-    first.add(left(" cca-top " + where + "  " + (program.empty() ? program_of(model.door) : program), size.width - end_size, utf8), how);
+    first.add(left(" cca-top " + where + "  " + (program.empty() ? program_of(model.door) : program),
+                   size.width - end_size, utf8),
+              how);
     first.add(end, how);
     if (!model.is_open) line().add(model.why_closed + "; trying again", style::alarm);
 
     const std::int64_t period = whole_in(model.status, "period");
     const double speed = number_in(model.status, "speed", 1);
-    std::string text = "time " + formatted("%.3f", static_cast<double>(model.now) * 1e-9) + " s  beat " + std::to_string(whole_in(model.status, "beat"));
+    std::string text = "time " + formatted("%.3f", static_cast<double>(model.now) * 1e-9) + " s  beat " +
+                       std::to_string(whole_in(model.status, "beat"));
     if (period > 0) text += " of " + duration_text(static_cast<double>(period) * 1e-9);
     text += speed > 0 ? "  speed " + formatted("%.3g", speed) : "  a fast run";
     if (const std::string mode = text_in(model.status, "mode"); !mode.empty()) text += "  mode " + mode;
@@ -140,18 +157,22 @@ private:
 
     screen_line& third = line();
     if (!model.is_open) third.add("below is what it told last", style::faint);
-    else if (!model.has_token || (model.door.has_rights && !model.door.may_change)) third.add("you only read", style::bold);
+    else if (!model.has_token || (model.door.has_rights && !model.door.may_change))
+      third.add("you only read", style::bold);
     else if (model.door.commands) third.add("YOU COMMAND", style::bold);
     else third.add("you may take the command", style::bold);
     if (model.is_open && !model.door.commands)
-      third.add(model.door.commanded_by.empty() ? ", nobody commands" : ", " + model.door.commanded_by + " commands");
+      third.add(model.door.commanded_by.empty() ? ", nobody commands"
+                                                : ", " + model.door.commanded_by + " commands");
     if (const auto clients = whole_in(model.status, "clients"); clients > 0)
       third.add("  " + std::to_string(clients) + (clients == 1 ? " client" : " clients"));
-    if (const std::string file = text_in(model.status, "recording"); !file.empty()) third.add("  recording " + file);
+    if (const std::string file = text_in(model.status, "recording"); !file.empty())
+      third.add("  recording " + file);
 
     const std::string fault = text_in(model.status, "fault"), path = text_in(model.status, "fault_path");
     if (!fault.empty() || !path.empty())
-      line().add("FAULT " + (path.empty() || fault.find(path) != fault.npos ? "" : path + ": ") + fault, style::alarm);
+      line().add("FAULT " + (path.empty() || fault.find(path) != fault.npos ? "" : path + ": ") + fault,
+                 style::alarm);
     std::string parts;
     for (const std::string& one : texts_in(model.status, "stopped_parts")) parts += " " + one;
     if (!parts.empty()) line().add("stopped:" + parts, style::bold);
@@ -161,8 +182,9 @@ private:
 
   std::size_t name_width() const { return size.width > 76 ? size.width - 68 : 8; }
   void environment_titles() {
-    line().add(left("environment", name_width(), utf8) + right("beats", 11, utf8) + right("overruns", 9, utf8) + right("lost", 6, utf8) +
-                   right("late", 6, utf8) + right("beat mean/p99/max", 18, utf8) + right("wake mean/p99/max", 18, utf8),
+    line().add(left("environment", name_width(), utf8) + right("beats", 11, utf8) +
+                   right("overruns", 9, utf8) + right("lost", 6, utf8) + right("late", 6, utf8) +
+                   right("beat mean/p99/max", 18, utf8) + right("wake mean/p99/max", 18, utf8),
                style::faint);
   }
   void environment_rows(std::size_t first, std::size_t rows) {
@@ -178,9 +200,10 @@ private:
       count("overruns", 9), count("lost_periods", 6), count("late", 6);
       for (const char* const what : {"beat", "wake_up"}) {
         const std::string of = what;
-        all.back().add(right(three_times(number_in(one, (of + "_mean").c_str()), number_in(one, (of + "_p99").c_str()),
-                                         number_in(one, (of + "_most").c_str())),
-                             18, utf8));
+        all.back().add(
+            right(three_times(number_in(one, (of + "_mean").c_str()), number_in(one, (of + "_p99").c_str()),
+                              number_in(one, (of + "_most").c_str())),
+                  18, utf8));
       }
     }
   }
@@ -189,7 +212,8 @@ private:
     if (count == 0) return;
     environment_titles();
     environment_rows(0, count > most ? most - (most > 1 ? 1 : 0) : most);
-    if (count > most && most > 1) line().add("... " + std::to_string(count - most + 1) + " more: 4", style::faint);
+    if (count > most && most > 1)
+      line().add("... " + std::to_string(count - most + 1) + " more: 4", style::faint);
   }
 
   // ---- pages ----
@@ -197,13 +221,16 @@ private:
   void tabs() {
     screen_line& l = line();
     for (std::size_t i = 0; i < page_names.size(); ++i) {
-      l.add(" " + std::to_string(i + 1) + " " + std::string(page_names[i]) + " ", static_cast<std::size_t>(view.at) == i ? style::chosen : style::plain);
+      l.add(" " + std::to_string(i + 1) + " " + std::string(page_names[i]) + " ",
+            static_cast<std::size_t>(view.at) == i ? style::chosen : style::plain);
       l.add(" ");
     }
     const std::size_t count = view.row_count(model);
-    std::string which = view.rows_shown < count ? std::to_string(view.here().first + 1) + "-" +
-                                                      std::to_string(std::min(count, view.here().first + view.rows_shown)) + " of " + std::to_string(count)
-                                                : std::string();
+    std::string which = view.rows_shown < count
+                            ? std::to_string(view.here().first + 1) + "-" +
+                                  std::to_string(std::min(count, view.here().first + view.rows_shown)) +
+                                  " of " + std::to_string(count)
+                            : std::string();
     if (!view.filter.empty()) which += (which.empty() ? "" : "  ") + ("/" + view.filter);
     l.add(right(shown(which, l.room(), utf8).text, l.room(), utf8), style::faint);
   }
@@ -214,13 +241,21 @@ private:
   void titles() {
     switch (view.at) {
       case page::components:
-        line().add(left("output", path_width(), utf8) + right("rate", 10, utf8) + right("age", 10, utf8) + "  values", style::faint);
+        line().add(left("output", path_width(), utf8) + right("rate", 10, utf8) + right("age", 10, utf8) +
+                       "  values",
+                   style::faint);
         break;
       case page::parameters:
-        line().add(left("parameter", path_width(), utf8) + "  " + left("value", value_width(), utf8) + "  unit, range", style::faint);
+        line().add(left("parameter", path_width(), utf8) + "  " + left("value", value_width(), utf8) +
+                       "  unit, range",
+                   style::faint);
         break;
-      case page::log: line().add("who did what", style::faint); break;
-      case page::environments: environment_titles(); break;
+      case page::log:
+        line().add("who did what", style::faint);
+        break;
+      case page::environments:
+        environment_titles();
+        break;
     }
   }
   bool is_chosen(std::size_t i) const { return i == view.here().chosen; }
@@ -232,7 +267,9 @@ private:
       if (row.output) view.looked_at.insert(row.path);
       screen_line& l = line();
       const bool is_faulty = model.is_faulty(row.node), is_stopped = model.is_stopped(row.node);
-      l.add(end_of(row.path, path_width(), utf8), is_chosen(i) ? style::chosen : is_faulty ? style::alarm : style::plain);
+      l.add(end_of(row.path, path_width(), utf8), is_chosen(i) ? style::chosen
+                                                  : is_faulty  ? style::alarm
+                                                               : style::plain);
       if (is_faulty) l.add(right("FAULT", 10, utf8), style::alarm);
       else if (is_stopped) l.add(right("stopped", 10, utf8), style::bold);
       else l.add(right(row.output ? rate_text(row.output->rate()) : "", 10, utf8));
@@ -246,7 +283,9 @@ private:
       l.add(left(values_text(*row.output, l.room()), l.room(), utf8));
     }
     if (known.empty() && rows > 0)
-      line().add(view.filter.empty() ? "no outputs: is the program recordable?" : "no output has /" + view.filter + " in its path", style::faint);
+      line().add(view.filter.empty() ? "no outputs: is the program recordable?"
+                                     : "no output has /" + view.filter + " in its path",
+                 style::faint);
   }
 
   void parameters(std::size_t rows) {
@@ -260,7 +299,8 @@ private:
       l.add(left(range.empty() ? one.unit : range, l.room(), utf8), style::faint);
     }
     if (known.empty() && rows > 0)
-      line().add(view.filter.empty() ? "no parameters" : "no parameter has /" + view.filter + " in its path", style::faint);
+      line().add(view.filter.empty() ? "no parameters" : "no parameter has /" + view.filter + " in its path",
+                 style::faint);
   }
 
   // Of this machine the port says who it is.
@@ -271,7 +311,10 @@ private:
     for (std::size_t i = view.here().first; i < model.log.size() && i < view.here().first + rows; ++i) {
       const log_line& one = model.log[model.log.size() - 1 - i];  // the newest first
       const bool is_refusal = one.what.starts_with("refused: ");
-      line().add(time_of_day(one.time) + " ", style::faint).add(left(client_text(one.client), 15, utf8) + " ").add(one.what, is_refusal ? style::alarm : style::plain);
+      line()
+          .add(time_of_day(one.time) + " ", style::faint)
+          .add(left(client_text(one.client), 15, utf8) + " ")
+          .add(one.what, is_refusal ? style::alarm : style::plain);
     }
     if (model.log.empty() && rows > 0) line().add("nothing was changed", style::faint);
   }
@@ -293,16 +336,21 @@ private:
       std::string range;
       for (const parameter& one : model.parameters)
         if (one.path == view.typed_for) range = range_of(one).empty() ? one.unit : range_of(one);
-      l.add(left(view.typed_for + (range.empty() ? "" : " (" + range + ")"),
-                 std::min(columns_of(view.typed_for, utf8) + (range.empty() ? 0 : columns_of(range, utf8) + 3), size.width / 2), utf8) +
-                " = ",
-            style::bold);
+      l.add(
+          left(view.typed_for + (range.empty() ? "" : " (" + range + ")"),
+               std::min(columns_of(view.typed_for, utf8) + (range.empty() ? 0 : columns_of(range, utf8) + 3),
+                        size.width / 2),
+               utf8) +
+              " = ",
+          style::bold);
     }
     // The end of it that has room, with the cursor in it.
     const std::string text = view.typed + " ";
     const std::size_t cursor = std::min(view.cursor, view.typed.size());
     const std::size_t from = cursor + 1 > l.room() ? cursor + 1 - l.room() : 0;
-    l.add(text.substr(from, cursor - from)).add(text.substr(cursor, 1), style::bar).add(text.substr(cursor + 1));
+    l.add(text.substr(from, cursor - from))
+        .add(text.substr(cursor, 1), style::bar)
+        .add(text.substr(cursor + 1));
   }
   // What follows the first columns.
   std::string_view without_first(std::string_view text, std::size_t columns) const {

@@ -9,11 +9,31 @@
 namespace cca_door {
 
 struct key {
-  enum class kind { character, enter, escape, tab, backspace, erase_all, up, down, left, right, page_up, page_down, home, end,
-                    remove, pasted, interrupt, suspend, redraw, unknown };
+  enum class kind {
+    character,
+    enter,
+    escape,
+    tab,
+    backspace,
+    erase_all,
+    up,
+    down,
+    left,
+    right,
+    page_up,
+    page_down,
+    home,
+    end,
+    remove,
+    pasted,
+    interrupt,
+    suspend,
+    redraw,
+    unknown
+  };
   kind what = kind::unknown;
-  char letter = 0;       // of a character: printable ASCII
-  std::string text{};    // what was pasted
+  char letter = 0;     // of a character: printable ASCII
+  std::string text{};  // what was pasted
   bool is(char c) const { return what == kind::character && letter == c; }
 };
 
@@ -30,16 +50,28 @@ public:
     waiting.erase(0, 1);
     using k = key::kind;
     switch (first) {
-      case '\r': case '\n': return key{k::enter};
-      case '\t': return key{k::tab};
-      case '\x7f': case '\b': return key{k::backspace};
-      case '\x03': return key{k::interrupt};
-      case '\x1a': return key{k::suspend};
-      case '\x0c': return key{k::redraw};
-      case '\x15': return key{k::erase_all};
-      case '\x01': return key{k::home};
-      case '\x05': return key{k::end};
-      default: break;
+      case '\r':
+      case '\n':
+        return key{k::enter};
+      case '\t':
+        return key{k::tab};
+      case '\x7f':
+      case '\b':
+        return key{k::backspace};
+      case '\x03':
+        return key{k::interrupt};
+      case '\x1a':
+        return key{k::suspend};
+      case '\x0c':
+        return key{k::redraw};
+      case '\x15':
+        return key{k::erase_all};
+      case '\x01':
+        return key{k::home};
+      case '\x05':
+        return key{k::end};
+      default:
+        break;
     }
     if (first < ' ' || first == '\x7f') return key{};  // also bytes of other characters
     return key{k::character, first};
@@ -51,15 +83,18 @@ private:
   std::optional<key> escape(bool is_all) {
     using k = key::kind;
     if (waiting.size() == 1) return is_all ? std::optional(take(1, k::escape)) : std::nullopt;
-    if (waiting[1] != '[' && waiting[1] != 'O') return take(waiting[1] == '\x1b' ? 1 : 2, waiting[1] == '\x1b' ? k::escape : k::unknown);
+    if (waiting[1] != '[' && waiting[1] != 'O')
+      return take(waiting[1] == '\x1b' ? 1 : 2, waiting[1] == '\x1b' ? k::escape : k::unknown);
     std::size_t end = 2;
     while (end < waiting.size() && (waiting[end] < '@' || waiting[end] > '~')) ++end;
-    if (end == waiting.size()) return is_all || end > 32 ? std::optional(take(end, k::unknown)) : std::nullopt;
+    if (end == waiting.size())
+      return is_all || end > 32 ? std::optional(take(end, k::unknown)) : std::nullopt;
     const std::string code = waiting.substr(2, end - 1);
     if (code == "200~") return paste(end + 1, is_all);
     static constexpr std::pair<std::string_view, k> known[] = {
-        {"A", k::up}, {"B", k::down}, {"C", k::right}, {"D", k::left}, {"H", k::home}, {"F", k::end}, {"1~", k::home}, {"4~", k::end},
-        {"7~", k::home}, {"8~", k::end}, {"5~", k::page_up}, {"6~", k::page_down}, {"3~", k::remove}, {"Z", k::tab}};
+        {"A", k::up},       {"B", k::down},       {"C", k::right},   {"D", k::left},  {"H", k::home},
+        {"F", k::end},      {"1~", k::home},      {"4~", k::end},    {"7~", k::home}, {"8~", k::end},
+        {"5~", k::page_up}, {"6~", k::page_down}, {"3~", k::remove}, {"Z", k::tab}};
     for (const auto& [text, what] : known)
       if (code == text) return take(end + 1, what);
     return take(end + 1, k::unknown);

@@ -34,7 +34,8 @@ struct top_options {
 
 class top_program {
 public:
-  top_program(const door_address& to, const token_option& t) : address(to), where(to.text()), token(t), model(!t.value().empty()) {}
+  top_program(const door_address& to, const token_option& t)
+      : address(to), where(to.text()), token(t), model(!t.value().empty()) {}
 
   int run() {
     const cca::interruption signals;
@@ -104,7 +105,8 @@ private:
         continue;
       }
       const auto service = model.door.services.find(one.service);
-      if (service == model.door.services.end()) model.remark_on("this door has no service " + one.service, true);
+      if (service == model.door.services.end())
+        model.remark_on("this door has no service " + one.service, true);
       else model.called(line->call(service->second, one.message), one.said);
     }
   }

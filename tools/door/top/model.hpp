@@ -52,12 +52,24 @@ public:
 
   void take(const event& one) {
     switch (one.what) {
-      case event::kind::opened: opened(); break;
-      case event::kind::closed: closed(one.bytes); break;
-      case event::kind::text: text(one.message); break;
-      case event::kind::sample: sample(one); break;
-      case event::kind::time: now = std::max(now, one.time); break;
-      case event::kind::answer: answer(one); break;
+      case event::kind::opened:
+        opened();
+        break;
+      case event::kind::closed:
+        closed(one.bytes);
+        break;
+      case event::kind::text:
+        text(one.message);
+        break;
+      case event::kind::sample:
+        sample(one);
+        break;
+      case event::kind::time:
+        now = std::max(now, one.time);
+        break;
+      case event::kind::answer:
+        answer(one);
+        break;
     }
   }
 
@@ -68,7 +80,10 @@ public:
     outgoing.push_back({std::move(arguments), service, said});
   }
   void set(const parameter& of, const json& value) {
-    outgoing.push_back({{{"op", "setParameters"}, {"id", "top"}, {"parameters", {{{"name", of.path}, {"value", value}}}}}, {}, {}});
+    outgoing.push_back(
+        {{{"op", "setParameters"}, {"id", "top"}, {"parameters", {{{"name", of.path}, {"value", value}}}}},
+         {},
+         {}});
     last_set = of.path;
   }
 
@@ -151,7 +166,8 @@ private:
     }
   }
   void rights(bool had_rights) {
-    if (!had_rights && has_token && !door.may_change) remark_on("this is not the token of this door: you only read", true);
+    if (!had_rights && has_token && !door.may_change)
+      remark_on("this is not the token of this door: you only read", true);
     if (!door.may_read || has_asked) return;
     has_asked = true;
     outgoing.push_back({{{"op", "cca.describe"}}, {}, {}});
@@ -192,7 +208,10 @@ private:
   }
   void subscribe_once(std::uint32_t subscription, std::uint32_t channel_id) {
     if (!by_subscription.emplace(subscription, "").second) return;
-    outgoing.push_back({{{"op", "subscribe"}, {"subscriptions", {{{"id", subscription}, {"channelId", channel_id}}}}}, {}, {}});
+    outgoing.push_back(
+        {{{"op", "subscribe"}, {"subscriptions", {{{"id", subscription}, {"channelId", channel_id}}}}},
+         {},
+         {}});
   }
 
   void sample(const event& one) {
@@ -213,7 +232,8 @@ private:
     const auto path = by_subscription.find(one.id);
     if (path == by_subscription.end()) return;
     const auto at = place.find(path->second);
-    if (at != place.end() && outputs[at->second].subscription == one.id) outputs[at->second].take(one.time, one.bytes);
+    if (at != place.end() && outputs[at->second].subscription == one.id)
+      outputs[at->second].take(one.time, one.bytes);
   }
 
   void answer(const event& one) {
@@ -221,7 +241,10 @@ private:
     if (call == calls.end()) return;
     const bool is_done = is_set(one.message, "success");
     const std::string why = text_in(one.message, "message");
-    remark_on(is_done ? call->second + (why.empty() ? "" : ": " + why) : why.empty() ? call->second + " was refused" : why, !is_done);
+    remark_on(is_done       ? call->second + (why.empty() ? "" : ": " + why)
+              : why.empty() ? call->second + " was refused"
+                            : why,
+              !is_done);
     calls.erase(call);
   }
 };

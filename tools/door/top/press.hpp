@@ -18,15 +18,18 @@ namespace detail {
 // Needs no right to command, and goes before everything: also while something is typed.
 inline void press_stop(top_model& model) {
   if (!model.has_token) return model.remark_on("STOP needs the token: cca-top --token or --token-file", true);
-  if (!model.is_open || !model.door.has_rights) return model.remark_on("NOT CONNECTED: STOP WAS NOT SENT", true);
+  if (!model.is_open || !model.door.has_rights)
+    return model.remark_on("NOT CONNECTED: STOP WAS NOT SENT", true);
   model.ask("/cca/stop", "STOP: the run ends");
 }
 
 inline bool may_command(top_model& model) {
   if (!model.is_open) model.remark_on("not connected", true);
-  else if (!model.has_token) model.remark_on("you only read: cca-top --token or --token-file may change something", true);
+  else if (!model.has_token)
+    model.remark_on("you only read: cca-top --token or --token-file may change something", true);
   else if (model.door.commands) return true;
-  else if (model.door.commanded_by.empty()) model.remark_on("press c to take the right to command first", true);
+  else if (model.door.commanded_by.empty())
+    model.remark_on("press c to take the right to command first", true);
   else model.remark_on(model.door.commanded_by + " commands, and must give the command back first", true);
   return false;
 }
@@ -60,7 +63,9 @@ inline void type(const key& one, top_model& model, top_view& view) {
   };
   const auto what = std::exchange(view.types, view.types);
   switch (one.what) {
-    case k::character: insert(std::string(1, one.letter)); break;
+    case k::character:
+      insert(std::string(1, one.letter));
+      break;
     case k::pasted:
       for (const char c : one.text)
         if (c >= ' ' && c <= '~') insert(std::string(1, c));
@@ -68,12 +73,24 @@ inline void type(const key& one, top_model& model, top_view& view) {
     case k::backspace:
       if (view.cursor > 0) text.erase(--view.cursor, 1);
       break;
-    case k::remove: text.erase(view.cursor, view.cursor < text.size() ? 1 : 0); break;
-    case k::erase_all: text.clear(), view.cursor = 0; break;
-    case k::left: view.cursor -= view.cursor > 0 ? 1 : 0; break;
-    case k::right: view.cursor += view.cursor < text.size() ? 1 : 0; break;
-    case k::home: view.cursor = 0; break;
-    case k::end: view.cursor = text.size(); break;
+    case k::remove:
+      text.erase(view.cursor, view.cursor < text.size() ? 1 : 0);
+      break;
+    case k::erase_all:
+      text.clear(), view.cursor = 0;
+      break;
+    case k::left:
+      view.cursor -= view.cursor > 0 ? 1 : 0;
+      break;
+    case k::right:
+      view.cursor += view.cursor < text.size() ? 1 : 0;
+      break;
+    case k::home:
+      view.cursor = 0;
+      break;
+    case k::end:
+      view.cursor = text.size();
+      break;
     case k::escape:
       view.types = top_view::typing::nothing;
       if (what == top_view::typing::filter) view.filter.clear();
@@ -82,7 +99,8 @@ inline void type(const key& one, top_model& model, top_view& view) {
       view.types = top_view::typing::nothing;
       if (what == top_view::typing::value) set_typed(model, view);
       return;
-    default: break;
+    default:
+      break;
   }
   if (what == top_view::typing::filter) view.filter = text;
 }
@@ -108,16 +126,34 @@ inline bool press(const key& one, top_model& model, top_view& view) {
     if (detail::may_command(model)) model.ask(service, said, std::move(arguments));
   };
   switch (one.what) {
-    case k::up: view.move(-1, count); break;
-    case k::down: view.move(1, count); break;
-    case k::page_up: view.move(-rows, count); break;
-    case k::page_down: view.move(rows, count); break;
-    case k::home: view.here().chosen = 0; break;
-    case k::end: view.here().chosen = count > 0 ? count - 1 : 0; break;
+    case k::up:
+      view.move(-1, count);
+      break;
+    case k::down:
+      view.move(1, count);
+      break;
+    case k::page_up:
+      view.move(-rows, count);
+      break;
+    case k::page_down:
+      view.move(rows, count);
+      break;
+    case k::home:
+      view.here().chosen = 0;
+      break;
+    case k::end:
+      view.here().chosen = count > 0 ? count - 1 : 0;
+      break;
     case k::tab:
-    case k::right: view.at = static_cast<page>((static_cast<int>(view.at) + 1) % 4); break;
-    case k::left: view.at = static_cast<page>((static_cast<int>(view.at) + 3) % 4); break;
-    case k::escape: view.filter.clear(), model.remark_on({}); break;
+    case k::right:
+      view.at = static_cast<page>((static_cast<int>(view.at) + 1) % 4);
+      break;
+    case k::left:
+      view.at = static_cast<page>((static_cast<int>(view.at) + 3) % 4);
+      break;
+    case k::escape:
+      view.filter.clear(), model.remark_on({});
+      break;
     case k::enter:
       if (const parameter* const of = view.chosen_parameter(model)) {
         if (!detail::may_command(model)) break;
@@ -127,20 +163,44 @@ inline bool press(const key& one, top_model& model, top_view& view) {
       break;
     case k::character:
       switch (one.letter) {
-        case '1': case '2': case '3': case '4': view.at = static_cast<page>(one.letter - '1'); break;
-        case 'j': view.move(1, count); break;
-        case 'k': view.move(-1, count); break;
-        case 'p': ask("/cca/pause", "paused"); break;
-        case 'g': ask("/cca/go_on", "it goes on"); break;
-        case 'n': ask("/cca/step", "one beat", {{"beats", 1}}); break;
-        case 'u': ask("/cca/undo", "the last change is undone"); break;
-        case 'c': detail::press_command(model); break;
-        case '/': detail::begin_typing(view, top_view::typing::filter, view.filter); break;
-        case 'q': return false;
-        default: break;
+        case '1':
+        case '2':
+        case '3':
+        case '4':
+          view.at = static_cast<page>(one.letter - '1');
+          break;
+        case 'j':
+          view.move(1, count);
+          break;
+        case 'k':
+          view.move(-1, count);
+          break;
+        case 'p':
+          ask("/cca/pause", "paused");
+          break;
+        case 'g':
+          ask("/cca/go_on", "it goes on");
+          break;
+        case 'n':
+          ask("/cca/step", "one beat", {{"beats", 1}});
+          break;
+        case 'u':
+          ask("/cca/undo", "the last change is undone");
+          break;
+        case 'c':
+          detail::press_command(model);
+          break;
+        case '/':
+          detail::begin_typing(view, top_view::typing::filter, view.filter);
+          break;
+        case 'q':
+          return false;
+        default:
+          break;
       }
       break;
-    default: break;
+    default:
+      break;
   }
   return true;
 }

@@ -1,4 +1,5 @@
-// What a terminal shows: lines of pieces with a style. Only the lines that differ are written again, in one go.
+// What a terminal shows: lines of pieces with a style. Only the lines that differ are written again, in one
+// go.
 #pragma once
 
 #include <cstddef>
@@ -55,13 +56,20 @@ public:
 private:
   static std::string code_of(style how) {
     switch (how) {
-      case style::plain: return "\x1b[0m";
-      case style::bold: return "\x1b[0;1m";
-      case style::faint: return "\x1b[0;2m";
-      case style::bar: return "\x1b[0;7m";
-      case style::chosen: return "\x1b[0;1;7m";
-      case style::alarm: return "\x1b[0;1;31m";
-      case style::stop: return "\x1b[0;1;97;41m";
+      case style::plain:
+        return "\x1b[0m";
+      case style::bold:
+        return "\x1b[0;1m";
+      case style::faint:
+        return "\x1b[0;2m";
+      case style::bar:
+        return "\x1b[0;7m";
+      case style::chosen:
+        return "\x1b[0;1;7m";
+      case style::alarm:
+        return "\x1b[0;1;31m";
+      case style::stop:
+        return "\x1b[0;1;97;41m";
     }
     return {};
   }
@@ -84,7 +92,8 @@ public:
     std::string all = is_new ? "\x1b[0m\x1b[2J" : "";
     for (std::size_t i = 0; i < lines.size() && i < size.height; ++i)
       if (is_new || i >= last.size() || lines[i] != last[i])
-        all += "\x1b[" + std::to_string(i + 1) + ";1H" + lines[i].with_codes() + (lines[i].room() > 0 ? "\x1b[K" : "");
+        all += "\x1b[" + std::to_string(i + 1) + ";1H" + lines[i].with_codes() +
+               (lines[i].room() > 0 ? "\x1b[K" : "");
     for (std::size_t i = lines.size(); i < last.size() && i < size.height && !is_new; ++i)
       all += "\x1b[" + std::to_string(i + 1) + ";1H\x1b[0m\x1b[K";
     last = lines, last_size = size, is_known = true;

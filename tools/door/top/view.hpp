@@ -14,7 +14,8 @@
 namespace cca_door {
 
 enum class page { components, parameters, log, environments };
-inline constexpr std::array<std::string_view, 4> page_names{"components", "parameters", "log", "environments"};
+inline constexpr std::array<std::string_view, 4> page_names{"components", "parameters", "log",
+                                                            "environments"};
 
 // A line of the page of components: an output, or a component that has none.
 struct component_row {
@@ -61,10 +62,14 @@ struct top_view {
   }
   std::size_t row_count(const top_model& of) const {
     switch (at) {
-      case page::components: return components(of).size();
-      case page::parameters: return parameters(of).size();
-      case page::log: return of.log.size();
-      case page::environments: return list_in(of.status, "environments").size();
+      case page::components:
+        return components(of).size();
+      case page::parameters:
+        return parameters(of).size();
+      case page::log:
+        return of.log.size();
+      case page::environments:
+        return list_in(of.status, "environments").size();
     }
     return 0;
   }
@@ -85,7 +90,8 @@ struct top_view {
   void move(std::ptrdiff_t by, std::size_t count) {
     place& p = here();
     const auto most = static_cast<std::ptrdiff_t>(count > 0 ? count - 1 : 0);
-    p.chosen = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(p.chosen) + by, 0, most));
+    p.chosen = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(p.chosen) + by, 0, most));
   }
 };
 

@@ -14,12 +14,15 @@ namespace cca_door {
 class watched_output {
 public:
   explicit watched_output(const channel& of)
-      : channel_id(of.id), path(path_of(of.topic)), node(path.substr(0, path.rfind('.'))), schema(of.schema) {}
+      : channel_id(of.id),
+        path(path_of(of.topic)),
+        node(path.substr(0, path.rfind('.'))),
+        schema(of.schema) {}
 
   std::uint32_t channel_id = 0;
   std::string path, node;
   message_schema schema;
-  std::uint32_t subscription = 0;  // 0: none; nothing comes then, and nothing is known of its age
+  std::uint32_t subscription = 0;   // 0: none; nothing comes then, and nothing is known of its age
   std::uint64_t watched_since = 0;  // ns, virtual
   std::string last{};               // bytes of the last sample
 

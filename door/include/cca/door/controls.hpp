@@ -55,7 +55,7 @@ struct door_status {
   std::int64_t beat = 0, overruns = 0;
   std::int64_t period = 0;  // ns
   bool is_paused = false;
-  double speed = 1;                           // times the clock; 0: as fast as possible
+  double speed = 1;                           // times the clock; 0: in a fast run
   std::string mode{}, fault{}, fault_path{};  // empty: none
   std::string recording{};                    // the file; empty: none
   std::vector<std::string> stopped_parts{};
