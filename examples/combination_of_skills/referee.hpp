@@ -11,7 +11,8 @@
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/engine/terrain.hpp>
-#include <cca/sim/oncilla/world.hpp>
+#include <cca/sim/oncilla/asked_by_leg.hpp>
+#include <cca/sim/robot/model/robot_world_settings.hpp>
 
 #include "orders.hpp"
 #include "plan.hpp"
@@ -78,7 +79,7 @@ public:
                       : cca::sim::disturbance::none()),
         around(c.where, c.paw, c.trot_seconds) {}
 
-  template <class World = cca::sim::world>  // or that of another engine
+  template <class World>  // asked by leg, whatever engine it has
   World put_down(const orders::parameters& p) const {
     return World(c.ground.with_friction(pushes.friction * c.ground.friction()), skills::put_down(p, pushes),
                  c.physics);

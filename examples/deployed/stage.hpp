@@ -33,7 +33,7 @@ public:
   // Before start().
   void set_scene(const skills::circumstances& run) {
     referee = skills::referee(run);
-    put_down(referee.put_down(skills::orders().p), referee.disturbance());
+    put_down(referee.put_down<cca::sim::world>(skills::orders().p), referee.disturbance());
   }
 
   auto sense() {

@@ -16,11 +16,13 @@ struct with_canopen : architecture<on_canopen::robot<hw::virtual_bus_end>> {};
 struct with_moteus : architecture<on_moteus::robot<hw::virtual_bus_end>> {};
 // [on drives end]
 
-using arm_world = cca::sim::robot_world;
-
-// Where the arm is: the simulator moves it, after virtual drives on buses in memory. It has brakes.
-template <class Robot>
+// Where the arm is: the simulator moves it, after virtual drives on buses in memory. It has brakes. `World`:
+// what it is simulated in, as of cca::sim::robot.
+template <class Robot, class World = cca::sim::robot_world>
 struct on_virtual_drives {
+  using plant = cca::sim::plant<arm::description, World>;
+  using arm_world = typename plant::world_type;
+
   template <class Controller>
   explicit on_virtual_drives(Controller& c) : far(c.template get<"robot.synchronizer">()) {
     far.plant.hold = cca::sim::held_by::brakes;
@@ -38,7 +40,7 @@ struct on_virtual_drives {
     far.step();
   }
 
-  hw::virtual_hardware<Robot, cca::sim::plant<arm::description>> far;
+  hw::virtual_hardware<Robot, plant> far;
 };
 using behind_canopen = on_virtual_drives<on_canopen::robot<hw::virtual_bus_end>>;
 using behind_moteus = on_virtual_drives<on_moteus::robot<hw::virtual_bus_end>>;

@@ -10,7 +10,9 @@
 #include <Eigen/Core>
 
 #include <cca/base/math.hpp>
-#include <cca/sim/robot.hpp>
+#include <cca/mapping/placement.hpp>
+#include <cca/sim/engine/scene.hpp>
+#include <cca/sim/robot/model/robot_model.hpp>
 
 #include "plan.hpp"
 

@@ -5,7 +5,7 @@
 //   throttle.hpp, stride_oscillator.hpp, gait.hpp, posture.hpp
 //                            the components
 //   architecture.hpp         how they are wired
-//   rollout.hpp              a run in the simulator
+//   any_engine.hpp           a run in the simulator
 //   trot.toml                the parameters
 //   program.hpp              what the program does around a run
 // engines/ has the same program with the robot in compiled physics. report/ has what it adds to the main

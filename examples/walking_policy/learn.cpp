@@ -167,7 +167,7 @@ private:
     const std::vector<attended> runs = rollouts(trials.size(), "imitation", [&](std::size_t i) {
       cca::controller<School> c = start;
       walking::command_speed(c, trials[i].speed);
-      c.template get<"notebook">().lessons.reserve(trot::beats_in(o_.seconds) / walking::period);
+      c.template get<"notebook">().lessons.reserve(trot::beats_in<cca::controller<School>>(o_.seconds) / walking::period);
       const auto run = walking::roll_out(c, cca::sim::terrain::flat(),
                                          cca::sim::disturbance::from_seed(trials[i].seed, o_.seconds),
                                          o_.seconds, [&] { return !interrupted_; });

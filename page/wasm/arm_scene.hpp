@@ -9,12 +9,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-#include <cca/sim/robot.hpp>
+#include <cca/mapping/kinematics.hpp>
+#include <cca/sim/engine/scene.hpp>
+#include <cca/sim/robot/model/robot_model.hpp>
 
 #include "json_text.hpp"
 
@@ -56,18 +59,22 @@ struct arm_scene {
 
   static constexpr int pose_count = 256;  // at most
 
-  static Eigen::Vector3d force_on_tool(const sim::robot_world& w) {
+  template <class World>
+  static Eigen::Vector3d force_on_tool(const World& w) {
     const auto& felt = w.load(0);
     return w.end(0).where.turn * Eigen::Vector3d(felt[3], felt[4], felt[5]);
   }
-  static void extra_of(const sim::robot_world& w, double* to) {
+  template <class World>
+  static void extra_of(const World& w, double* to) {
     for (const double x : w.end(0).where.at) *to++ = x;
     for (const double x : force_on_tool(w)) *to++ = x;
   }
 
-  // `radius`: of the tool, a sphere in front of the hand.
-  static void poses_of(const sim::robot_world& w,
+  // `boxes`: how many the scene has. `radius`: of the tool, a sphere in front of the hand.
+  template <class World>
+  static void poses_of(const World& w,
                        const std::vector<drawn_body>& bodies,
+                       std::size_t boxes,
                        double radius,
                        double* to) {
     for (const drawn_body& b : bodies) {
@@ -76,8 +83,11 @@ struct arm_scene {
       const Eigen::Quaterniond q(Eigen::Matrix3d(f.turn * b.where.turn));
       for (const double x : {at[0], at[1], at[2], q.w(), q.x(), q.y(), q.z()}) *to++ = x;
     }
-    for (const auto& box : w.save().boxes)
-      for (const std::size_t i : {0U, 1U, 2U, 6U, 3U, 4U, 5U}) *to++ = box[i];
+    for (std::size_t i = 0; i < boxes; ++i) {
+      const auto& box = w.save().around.boxes[i];
+      const auto& [x, y, z, turn] = box.attitude.q;
+      for (const double number : {box.at[0], box.at[1], box.at[2], turn, x, y, z}) *to++ = number;
+    }
     const auto hand = w.end(0).where;
     const Eigen::Vector3d force = force_on_tool(w);
     Eigen::Vector3d touched = hand.at + hand.turn * Eigen::Vector3d(0, 0, radius);

@@ -8,9 +8,11 @@
 #include <array>
 
 #include <cca/base/math.hpp>
-#include <cca/sim/oncilla.hpp>
+#include <cca/mapping/kinematics.hpp>
+#include <cca/space/methods/rotation.hpp>
+#include <cca/sim/oncilla/asked_by_leg.hpp>
+#include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/oncilla/kinematics.hpp>
-#include <cca/sim/oncilla/world.hpp>
 
 #include "json_text.hpp"
 
@@ -21,7 +23,8 @@ struct oncilla_scene {
   static constexpr int extra_count = 3 + 12 + 4 + 1;
   static constexpr int pose_count = 7 * body_count + 4 * 6;
 
-  static void extra_of(const sim::world& w, double* to) {
+  template <class World>
+  static void extra_of(const World& w, double* to) {
     for (const double x : w.trunk_position()) *to++ = x;
     for (const auto& leg : w.reading().legs)
       for (const double f : leg.foot_force) *to++ = f;
@@ -29,25 +32,30 @@ struct oncilla_scene {
     *to = w.fallen() ? 1 : 0;
   }
 
-  static void poses_of(const sim::world& w, double* to) {
-    const sim::robot_state s = w.save();
-    for (const auto& body : s.bodies) {
-      for (const double x : body.position) *to++ = x;
-      for (const double x : body.quaternion) *to++ = x;
-    }
+  template <class World>
+  static void poses_of(const World& w, double* to) {
+    const auto body = [&](int link, const link_inertia& of) {
+      const rigid f = w.frame(link).where;
+      const Eigen::Vector3d at = f.at + f.turn * cca::detail::as_vector(of.centre);
+      const Eigen::Vector4d q = rotation::from_matrix<double>(f.turn);
+      for (const double x : {at[0], at[1], at[2], q[3], q[0], q[1], q[2]}) *to++ = x;
+    };
+    const auto& links = w.model().links;
+    body(-1, w.model().base);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      if (links[i].inertia.mass > 0) body(static_cast<int>(i), links[i].inertia);  // not the abduction's
+
     const auto& m = sim::oncilla_defaults;
-    const auto& r = s.bodies[0].rotation;
+    const rigid trunk = w.frame(-1).where;
     const auto targets = w.targets();
     for (std::size_t i = 0; i < sim::leg_count; ++i) {
       for (const double x : w.foot_position(i)) *to++ = x;
       const auto foot = sim::foot_position(m, {targets[i].hip, targets[i].knee});
       const double tilt = sim::side_of(i) * targets[i].abduction;
-      const std::array<double, 3> at{
-          (sim::is_front(i) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips + foot.x,
-          sim::side_of(i) * m.hip_y - foot.z * cca::math::sin(tilt),
-          -m.trunk_above_hips + foot.z * cca::math::cos(tilt)};
-      for (std::size_t k = 0; k < 3; ++k)
-        *to++ = s.bodies[0].position[k] + r[4 * k] * at[0] + r[4 * k + 1] * at[1] + r[4 * k + 2] * at[2];
+      const Eigen::Vector3d at{(sim::is_front(i) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips + foot.x,
+                               sim::side_of(i) * m.hip_y - foot.z * cca::math::sin(tilt),
+                               -m.trunk_above_hips + foot.z * cca::math::cos(tilt)};
+      for (const double x : Eigen::Vector3d(trunk.at + trunk.turn * at)) *to++ = x;
     }
   }
 

@@ -1,15 +1,16 @@
 // The Combination of Skills of examples/combination_of_skills on a page: the robot trots, stops, reaches for
 // a ball, is pushed, and trots on.
 #include <cca/cca.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
 
-#include "rollout.hpp"
+#include "any_engine.hpp"
 
 #include "live_graph.hpp"
 #include "oncilla_scene.hpp"
 
 namespace {
 
-struct watched_skills : skills::simulated, cca::recordable {};
+struct watched_skills : skills::architecture<cca::sim::compiled_oncilla>, cca::recordable {};
 using combined = cca::controller<watched_skills>;
 
 // The referee shows the ball to the camera and pushes, as in the program. It ends a run, but not the page's.

@@ -1,15 +1,18 @@
 // The compliant arm of examples/touch on a page: somebody shows it a movement, it finds a table and wipes it,
 // and yields to pushes. The operator's stop is the user's.
 #include <cca/cca.hpp>
+#include <cca/sim/compiled/robot.hpp>
 
-#include "rollout.hpp"
+#include "any_engine.hpp"
 
 #include "arm_scene.hpp"
 #include "live_graph.hpp"
 
 namespace {
 
-struct watched_arm : touch::simulated, cca::recordable {};
+using arm_world = cca::sim::compiled_world<touch::arm::description>;
+struct watched_arm
+    : touch::architecture<cca::sim::robot<touch::arm::description, cca::sim::compiled>>, cca::recordable {};
 using touching = cca::controller<watched_arm>;
 
 struct scene : cca::page::arm_scene {
@@ -23,8 +26,7 @@ struct scene : cca::page::arm_scene {
   // The goal of the second repetition is that of the run, unless somebody has set it.
   void put_down(touching& c) {
     const auto given = c.get<"orders">().p.shift;
-    c.get<"robot.simulator">().put_down(
-        touch::arm_world(cca::sim::model_of<touch::arm::description>(), touch::scene::room()));
+    c.get<"robot.simulator">().put_down(touch::scene::arm_in_room<arm_world>());
     if (given == touch::orders().p.shift) c.get<"orders">().p.shift = run.around.shift;
   }
   void before_beat(touching& c) {
@@ -37,7 +39,7 @@ struct scene : cca::page::arm_scene {
   }
   void extra(const touching& c, double* to) { extra_of(world_of(c), to); }
   void poses(const touching& c, double* to) {
-    poses_of(world_of(c), bodies, touch::arm::description::tool_radius, to);
+    poses_of(world_of(c), bodies, touch::scene::room().boxes.size(), touch::arm::description::tool_radius, to);
   }
   void push(touching& c, double x, double y, double z, double seconds) {
     run.around.another = {x, y, z};
@@ -46,11 +48,11 @@ struct scene : cca::page::arm_scene {
   void press(touching& c, int, bool down) { c.get<"operator">().pressed = down; }
   bool is_pressed(const touching& c, int) { return c.get<"operator">().pressed; }
 
-  static const touch::arm_world& world_of(const touching& c) { return c.get<"robot.simulator">().world(); }
+  static const arm_world& world_of(const touching& c) { return c.get<"robot.simulator">().world(); }
 
   touch::course run{0};
   double pulled_until = 0;
-  std::vector<drawn_body> bodies = bodies_of(cca::sim::model_of<touch::arm::description>());
+  std::vector<drawn_body> bodies = bodies_of(arm_world::model());
 };
 
 }  // namespace

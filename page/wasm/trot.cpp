@@ -1,14 +1,15 @@
-// The trot of examples/trot on a page: the same controller, the same simulator.
+// The trot of examples/trot on a page: the same controller, the same compiled physics.
 #include <cca/cca.hpp>
+#include <cca/sim/oncilla/compiled_oncilla.hpp>
 
-#include "rollout.hpp"
+#include "any_engine.hpp"
 
 #include "live_graph.hpp"
 #include "oncilla_scene.hpp"
 
 namespace {
 
-struct watched_trot : trot::simulated_trot, cca::recordable {};
+struct watched_trot : trot::architecture<cca::sim::compiled_oncilla>, cca::recordable {};
 using trotting = cca::controller<watched_trot>;
 
 struct scene : cca::page::oncilla_scene {
@@ -17,8 +18,8 @@ struct scene : cca::page::oncilla_scene {
   void put_down(trotting& c) {
     const auto none = cca::sim::disturbance::none();
     c.get<"robot.simulator">().put_down(
-        cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat().with_friction(none.friction),
-                        trot::put_down(c.get<"gait">().p, none)),
+        cca::sim::compiled_oncilla_world(cca::sim::terrain::flat().with_friction(none.friction),
+                                         trot::put_down(c.get<"gait">().p, none)),
         none);
   }
   void after_beat(trotting&) {}

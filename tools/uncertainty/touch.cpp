@@ -19,11 +19,11 @@ struct uncertain_place : touch::in_simulator {
   const uncertain::uncertainty& of;
 
   template <class Controller>
-  void put_down(Controller& c, touch::arm_world&& ideal) const {
+  void put_down(Controller& c, cca::sim::robot_world&& ideal) const {
     cca::sim::scene room = ideal.around();
     room.contact.friction = uncertain::ground_under(of, room.contact.friction).friction();
     c.template get<"robot.simulator">().put_down(
-        touch::arm_world(ideal.model(), room, cca::sim::drawn_settings(of)));
+        cca::sim::robot_world(ideal.model(), room, cca::sim::drawn_settings(of)));
   }
 };
 

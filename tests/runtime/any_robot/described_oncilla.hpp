@@ -109,8 +109,8 @@ struct walk {
 };
 
 // `step()` makes a beat; the first two seconds don't count.
-template <class Step>
-walk walked_in(const sim::robot_world& world, double seconds, Step step) {
+template <class World, class Step>
+walk walked_in(const World& world, double seconds, Step step) {
   walk w;
   double begun_at = 0;
   sim::contact_account begun;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <type_traits>
 
 #include <doctest/doctest.h>
 
@@ -17,6 +18,7 @@
 #include <cca/robot/limiter.hpp>
 
 #include <cca/hardware/virtual_hardware.hpp>
+#include <cca/sim/compiled/plant.hpp>
 #include <cca/sim/robot/plant.hpp>
 
 #include "../../../examples/touch/drives.hpp"
@@ -52,11 +54,23 @@ struct architecture
                  cca::wire<"torques.torques", "limits.command">,
                  cca::wire<"limits.safe", "robot.torque">> {};
 struct on_canopen : architecture<touch::on_canopen::robot<hw::virtual_bus_end>> {
+  using graph = on_canopen;
   using robot = touch::on_canopen::robot<hw::virtual_bus_end>;
+  using world = cca::sim::robot_world;
 };
 struct on_moteus : architecture<touch::on_moteus::robot<hw::virtual_bus_end>> {
+  using graph = on_moteus;
   using robot = touch::on_moteus::robot<hw::virtual_bus_end>;
+  using world = cca::sim::robot_world;
 };
+// The same controller and drives; what moves is compiled.
+struct compiled_on_canopen {
+  using graph = on_canopen;
+  using robot = on_canopen::robot;
+  using world = cca::sim::compiled;
+};
+static_assert(std::is_same_v<cca::sim::plant<arm::description, cca::sim::compiled>::world_type,
+                             cca::sim::compiled_world<arm::description>>);
 static_assert(cca::well_formed<on_canopen> && cca::well_formed<on_moteus>);
 static_assert(cca::embodied<arm::body, touch::on_canopen::robot<hw::virtual_bus_end>>);
 
@@ -76,10 +90,11 @@ std::optional<double> asked(const hw::can_frame& f) {
   }
 }
 
-template <class Graph>
+// `Case`: its graph, the robot on drives in it, and the world of the plant.
+template <class Case>
 class lab {
 public:
-  using joints = typename Graph::robot::joints;
+  using joints = typename Case::robot::joints;
 
   lab() {
     far.plant.hold = cca::sim::held_by::brakes;
@@ -121,8 +136,8 @@ public:
     return true;
   }
 
-  cca::controller<Graph> controller{};
-  hw::virtual_hardware<typename Graph::robot, cca::sim::plant<arm::description>> far{synchronizer()};
+  cca::controller<typename Case::graph> controller{};
+  hw::virtual_hardware<typename Case::robot, cca::sim::plant<arm::description, typename Case::world>> far{synchronizer()};
   std::array<double, count> most_asked{};
   bool always_finite = true;
 
@@ -143,17 +158,17 @@ private:
 };
 
 // A drive rounds a torque to its step: half a thousandth of the rated torque at most.
-template <class Graph>
-bool within_limits(const lab<Graph>& l) {
+template <class Case>
+bool within_limits(const lab<Case>& l) {
   for (std::size_t i = 0; i < count; ++i)
-    if (!(l.most_asked[i] <= Graph::robot::joints::torque[i].upper + 0.016)) return false;
+    if (!(l.most_asked[i] <= Case::robot::joints::torque[i].upper + 0.016)) return false;
   return l.always_finite;
 }
 
 }  // namespace
 
 TEST_SUITE("the arm on drives") {
-  TEST_CASE_TEMPLATE("torques of gravity hold it where it was put", G, on_canopen, on_moteus) {
+  TEST_CASE_TEMPLATE("torques of gravity hold it where it was put", G, on_canopen, on_moteus, compiled_on_canopen) {
     const auto l = std::make_unique<lab<G>>();
     l->run();
     l->beats(1000);
@@ -166,12 +181,12 @@ TEST_SUITE("the arm on drives") {
 
   TEST_CASE_TEMPLATE(
       "a start outside of the range is refused: it names joint, angle and range, and nothing moves", G,
-      on_canopen, on_moteus) {
+      on_canopen, on_moteus, compiled_on_canopen) {
     const auto l = std::make_unique<lab<G>>();
     std::array<double, count> q = arm::description::start;
     q[3] = -3;  // and its calibration is wrong
     l->synchronizer().p.offset[3] = -0.65;
-    cca::sim::robot_world world(cca::sim::model_of<arm::description>());
+    auto world = l->far.plant.world();
     world.place(q, std::array<double, count>{});
     l->far.plant.put_down(std::move(world));
     l->controller.start();
@@ -187,7 +202,7 @@ TEST_SUITE("the arm on drives") {
   }
 
   TEST_CASE_TEMPLATE("the operator's stop, pressed: it is damped, then disabled, and each drive confirms", G,
-                     on_canopen, on_moteus) {
+                     on_canopen, on_moteus, compiled_on_canopen) {
     const auto l = std::make_unique<lab<G>>();
     l->run();
     l->stop().press();
@@ -216,7 +231,7 @@ TEST_SUITE("the arm on drives") {
   }
 
   TEST_CASE_TEMPLATE("stop(), and a fault of a component: damped, then disabled, and each drive confirms", G,
-                     on_canopen, on_moteus) {
+                     on_canopen, on_moteus, compiled_on_canopen) {
     for (const bool fault : {false, true}) {
       CAPTURE(fault);
       const auto l = std::make_unique<lab<G>>();
@@ -240,13 +255,13 @@ TEST_SUITE("the arm on drives") {
 
   TEST_CASE_TEMPLATE(
       "a drive fails, falls silent or loses its frames: all are damped, and a start brings it back", G,
-      on_canopen, on_moteus) {
+      on_canopen, on_moteus, compiled_on_canopen) {
     for (const int trouble : {0, 1, 2}) {
       CAPTURE(trouble);
       const auto l = std::make_unique<lab<G>>();
       l->run();
       auto& drive = l->far.template drive<arm::a4>();
-      if (trouble == 0) drive.fail(std::is_same_v<G, on_canopen> ? 0x2310u : 38u);
+      if (trouble == 0) drive.fail(std::is_same_v<typename G::graph, on_canopen> ? 0x2310u : 38u);
       if (trouble == 1) drive.go_silent(true);
       if (trouble == 2) drive.reboot(l->far.now, 50'000'000);
       l->beats(6);
@@ -268,7 +283,7 @@ TEST_SUITE("the arm on drives") {
   }
 
   TEST_CASE_TEMPLATE("whatever torque is commanded, none beyond the limits and no NaN is ever on a bus", G,
-                     on_canopen, on_moteus) {
+                     on_canopen, on_moteus, compiled_on_canopen) {
     const auto l = std::make_unique<lab<G>>();
     std::mt19937_64 random(7);
     const auto torque = [&random]() -> double {

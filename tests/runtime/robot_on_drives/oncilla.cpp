@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <doctest/doctest.h>
@@ -16,6 +17,7 @@
 #include <cca/hardware/robot/boards/robot_fd_board.hpp>
 #include <cca/hardware/virtual_mit.hpp>
 #include <cca/hardware/virtual_hardware.hpp>
+#include <cca/sim/compiled/plant.hpp>
 #include <cca/sim/robot/plant.hpp>
 
 #include "../any_robot/described_oncilla.hpp"
@@ -87,19 +89,22 @@ static_assert(cca::well_formed<trot_on_drives>);
 template <class Drive>
 struct virtual_damiao : hw::virtual_mit<Drive, 4'000'000> {};
 
+// `World`: what the robot is simulated in, as of sim::robot.
+template <class World = sim::robot_world>
 struct lab {
   static constexpr std::size_t count = joints::count;
+  using plant = sim::plant<oncilla::description, World>;
   static_assert(count == 12 &&
-                hw::virtual_hardware<on_virtual_buses, sim::plant<oncilla::description>>::buses == 7);
+                hw::virtual_hardware<on_virtual_buses, plant>::buses == 7);
 
-  explicit lab(sim::robot_world&& on_ground) {
+  explicit lab(typename plant::world_type&& on_ground) {
     far.plant.hold = sim::held_by::stand;  // until all drives have been enabled
     far.plant.put_down(std::move(on_ground));
     controller.load();
   }
   void beat() { controller.step(), far.step(); }
-  auto& synchronizer() { return controller.get<"robot.body.synchronizer">(); }
-  auto& stop() { return controller.get<"robot.body.emergency_stop">(); }
+  auto& synchronizer() { return controller.template get<"robot.body.synchronizer">(); }
+  auto& stop() { return controller.template get<"robot.body.emergency_stop">(); }
   std::size_t enabled() const { return far.enabled_count(); }
 
   // Until the drives follow the controller.
@@ -111,8 +116,8 @@ struct lab {
   }
 
   cca::controller<trot_on_drives> controller{};
-  hw::virtual_hardware<on_virtual_buses, sim::plant<oncilla::description>, virtual_damiao> far{
-      controller.get<"robot.body.synchronizer">()};
+  hw::virtual_hardware<on_virtual_buses, plant, virtual_damiao> far{
+      controller.template get<"robot.body.synchronizer">()};
 };
 
 sim::robot_world standing() {
@@ -122,12 +127,26 @@ sim::robot_world standing() {
   return put_down(trot::put_down(c.get<"gait">().p, disturbance),
                   on(sim::terrain::flat().with_friction(disturbance.friction)));
 }
+// The same place in compiled physics.
+sim::compiled_world<oncilla::description> compiled_standing() {
+  const sim::robot_world there = standing();
+  sim::compiled_world<oncilla::description> w(there.around());
+  std::array<double, oncilla::description::drives.size()> q{};
+  for (std::size_t c = 0; c < q.size(); ++c) q[c] = there.joints()[c].angle;
+  const sim::moving_frame base = there.frame(-1);
+  w.place(q, {}, cca::at(base.where.at[0], base.where.at[1], base.where.at[2]), {},
+          {base.velocity[0], base.velocity[1], base.velocity[2]});
+  return w;
+}
 
 }  // namespace
 
 TEST_SUITE("the described oncilla on drives") {
-  TEST_CASE("the trot walks, and nothing trips") {
-    lab l(standing());
+  TEST_CASE_TEMPLATE("the trot walks, and nothing trips", World, sim::robot_world, sim::compiled) {
+    lab<World> l([] {
+      if constexpr (std::is_same_v<World, sim::compiled>) return compiled_standing();
+      else return standing();
+    }());
     l.run();
     const walk w = walked_in(l.far.plant.world(), 8, [&] { l.beat(); });
     MESSAGE(w.speed, " m/s, slip ", w.slip, ", aside ", w.aside);
@@ -136,23 +155,23 @@ TEST_SUITE("the described oncilla on drives") {
     CHECK(w.slip < 0.15);
     CHECK(l.stop().mode() == hw::motion_mode::run);
     CHECK(l.stop().first_cause().rule == hw::safety_rule::none);
-    CHECK(l.enabled() == lab::count);
+    CHECK(l.enabled() == lab<World>::count);
   }
 
   TEST_CASE("stopped in the middle of a step it is damped, and then no drive is enabled") {
-    lab l(standing());
+    lab<> l(standing());
     l.run();
     for (int k = 0; k < 2500; ++k) l.beat();
     l.controller.stop();
     for (int k = 0; k < 100; ++k) l.beat();
-    CHECK(l.enabled() == lab::count);  // they damp
+    CHECK(l.enabled() == lab<>::count);  // they damp
     for (int k = 0; k < 2000; ++k) l.beat();
     CHECK(l.enabled() == 0);
-    for (std::size_t i = 0; i < lab::count; ++i) CHECK(!l.synchronizer().unconfirmed(i));
+    for (std::size_t i = 0; i < lab<>::count; ++i) CHECK(!l.synchronizer().unconfirmed(i));
   }
 
   TEST_CASE("a board that falls silent stops it") {
-    lab l(standing());
+    lab<> l(standing());
     l.run();
     for (int k = 0; k < 500; ++k) l.beat();
     l.far.far.board_silent = true;

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cca/sim/compiled/plant.hpp>
+
 #include "../../../examples/touch/on_drives.hpp"
 
 namespace {
@@ -30,6 +32,10 @@ void check() {
 TEST_SUITE("touch on drives") {
   TEST_CASE("CANopen drives in torque mode: the whole run, within all bounds") {
     check<touch::with_canopen, touch::behind_canopen>();
+  }
+  TEST_CASE("the same in compiled physics") {
+    check<touch::with_canopen, touch::on_virtual_drives<touch::on_canopen::robot<cca::hardware::virtual_bus_end>,
+                                                        cca::sim::compiled>>();
   }
   TEST_CASE("moteus: the whole run, within all bounds") { check<touch::with_moteus, touch::behind_moteus>(); }
 }

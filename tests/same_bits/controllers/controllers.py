@@ -2,10 +2,11 @@
 """Runs a controller by several compilers and machines, each told the same of what a robot sensed: every sample that it publishes
 must have the same bits.
 
-usage: controllers.py NAME --in FOLDER --root REPOSITORY --extract PROGRAM --flags="FLAG;..." --gnu="FLAG;..." -- PROGRAM ARGUMENTS...
+usage: controllers.py NAME --in FOLDER --root REPOSITORY --flags="FLAG;..." --gnu="FLAG;..." [--extract PROGRAM -- PROGRAM ARGUMENTS...]
 
-NAME.cpp in this folder is the controller; its first comment names the topics of what was sensed. PROGRAM records a run
-(--record FILE is added), `extract` takes the topics out of it. FLAG: those of cca::same_bits, for all, and for g++.
+NAME.cpp in this folder is the controller. If it is told something, its first comment names the topics of what was sensed, PROGRAM records
+a run (--record FILE is added), and `extract` takes the topics out of it. Without PROGRAM the robot is simulated in NAME.cpp.
+FLAG: those of cca::same_bits, for all, and for g++.
 """
 import argparse
 import pathlib
@@ -32,12 +33,12 @@ def difference(wanted, got):
 
 
 def main():
-    split = sys.argv.index("--")
+    split = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
     parser = argparse.ArgumentParser()
     parser.add_argument("name")
     parser.add_argument("--in", dest="folder", type=pathlib.Path, required=True)
     parser.add_argument("--root", type=pathlib.Path, required=True)
-    parser.add_argument("--extract", required=True)
+    parser.add_argument("--extract")
     parser.add_argument("--flags", required=True)
     parser.add_argument("--gnu", default="")
     o = parser.parse_args(sys.argv[1:split])
@@ -46,11 +47,12 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
 
     recording, sensed = folder / "run.mcap", folder / "sensed"
-    run([*sys.argv[split + 1:], "--record", recording], cwd=folder, stdout=subprocess.DEVNULL)
-    comment = re.match(r"(//.*\n)+", (HERE / f"{o.name}.cpp").read_text())[0]
     with sensed.open("wb") as to:
-        run([o.extract, recording, *re.findall(r"(?<= )/\w[\w/]*", comment)], stdout=to)
-    recording.unlink()
+        if recorded := sys.argv[split + 1:]:
+            run([*recorded, "--record", recording], cwd=folder, stdout=subprocess.DEVNULL)
+            comment = re.match(r"(//.*\n)+", (HERE / f"{o.name}.cpp").read_text())[0]
+            run([o.extract, recording, *re.findall(r"(?<= )/\w[\w/]*", comment)], stdout=to)
+            recording.unlink()
     shutil.copy(o.root / "examples/combination_of_skills/trot.shape", folder)
 
     # Never -I/usr/include for WebAssembly: these are the headers of this machine.
@@ -59,7 +61,7 @@ def main():
     for library in ("boost", "eigen3"):
         if not (headers / library).exists():
             (headers / library).symlink_to(f"/usr/include/{library}")
-    common = ["-std=c++20", f"-I{o.root}/include", f"-I{o.root}/robots/include", "-isystem", headers, "-isystem", headers / "eigen3", *flags]
+    common = ["-std=c++20", *(f"-I{o.root}/{room}include" for room in ("", "robots/", "sim/")), "-isystem", headers, "-isystem", headers / "eigen3", *flags]
     page = o.root / "page/wasm"
     native = [] if " avx2 " in pathlib.Path("/proc/cpuinfo").read_text() else ["qemu-x86_64", "-cpu", "max"]
     machines = {

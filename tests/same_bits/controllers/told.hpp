@@ -102,21 +102,27 @@ public:
   void controller_is_gone() noexcept override {}
 };
 
-// Runs the controller as long as something was sensed. `before(controller)`: before each beat.
-template <class Graph, class Prepare, class Before>
-int run(Prepare prepare, Before before) {
+// Runs the controller as long as `goes_on(controller)`. `before(controller)`: before each beat.
+template <class Graph, class Prepare, class Before, class GoesOn>
+int run(Prepare prepare, Before before, GoesOn goes_on) {
   printer<Graph> out;
   cca::controller<Graph> c;
   c.record_into(&out);
   prepare(c);
   c.load();
   c.start();
-  while (!all_sensed().is_over()) {
+  while (goes_on(c)) {
     before(c);
     c.step();
     out.print();
   }
   return c.state() == cca::state::faulted;
+}
+
+// As long as something was sensed.
+template <class Graph, class Prepare, class Before>
+int run(Prepare prepare, Before before) {
+  return same_bits::run<Graph>(prepare, before, [](const auto&) { return !all_sensed().is_over(); });
 }
 
 }  // namespace same_bits

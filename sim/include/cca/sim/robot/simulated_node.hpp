@@ -36,18 +36,11 @@
 #include <cca/sim/robot/model/plausible.hpp>
 #include <cca/sim/robot/model/push.hpp>
 #include <cca/sim/robot/model/robot_model.hpp>
+#include <cca/sim/robot/world_named.hpp>
 
 namespace cca::sim {
 
-class robot_world;
-
 namespace detail {
-
-// The world that a robot is said to be in: itself, or that of a tag (cca/sim/compiled/robot.hpp).
-template <class R, class World>
-struct world_named {
-  using type = World;
-};
 
 template <class R, class World, class Axes, class Sensors>
 class simulated_robot_of;
@@ -139,11 +132,6 @@ protected:
   }
 
 private:
-  static World at_start() {
-    if constexpr (requires { World::at_start(); }) return World::at_start();
-    else return World(model_of<R>());
-  }
-
   // A fault keeps a pointer to its text, so the texts of this robot live as long as the program.
   static const std::vector<std::string>& reasons() {
     static const std::vector<std::string> all = [] {
@@ -178,7 +166,7 @@ private:
     return all;
   }
 
-  World world_ = at_start();
+  World world_ = world_at_start<R, World>();
   const std::vector<std::string>* reasons_ = &reasons();
   std::array<robots::joint_servo, count> servos_{};
   push_plan pushes_{};

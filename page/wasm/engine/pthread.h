@@ -1,2 +1,0 @@
-// The engine includes this header, but has no threads here.
-#pragma once
