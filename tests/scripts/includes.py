@@ -7,7 +7,7 @@ A folder of the core includes only from the folders to its left in FOLDERS. `run
 and nothing in the core includes them. A folder that ROOMS lists, or a header there, includes only from those before it; a header
 that only forwards from its former place may point anywhere in its folder. Every folder of headers has a place in ROOMS. No two
 headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware,
-dds, record and mpi include only from the parts in OUTSIDE. Other libraries are included from one place each. The tests, examples and
+dds, record, door and mpi include only from the parts in OUTSIDE. Other libraries are included from one place each. The tests, examples and
 pages that a header's comments name exist.
 """
 import collections
@@ -52,6 +52,7 @@ ROOMS = {"base": [".", "math", "math.hpp", "messages", "recording", "separate", 
          "sim/robot": ["model", "tree", "forces", "world", "."],
          "record": ["mcap", "messages", "file", "loops", "replay", "."],
          "dds": ["domain", "nodes", "deployment", "."],
+         "door": ["controls.hpp", "settings.hpp", "network", "."],
          "ros2": ["address.hpp", "quality.hpp", "messages", "."]}
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
@@ -140,8 +141,12 @@ def other_include(where, target, part):
         return "MPI belongs in mpi/"
     if target == "boost/hana.hpp":
         return "include Hana's granular headers"
+    if target.startswith("nlohmann/") and not where.startswith("door/network/"):
+        return "nlohmann-json belongs in door/network/"
+    if target.startswith(("boost/asio/", "boost/beast/")):
+        return None if where.startswith(("door/network/", "door/server_functions.hpp")) else "Asio and Beast belong in door/network/"
     if target.startswith("boost/") and not target.startswith("boost/hana/"):
-        return "of Boost only Hana is used"
+        return "of Boost only Hana is used, and in door/ Asio and Beast"
     return None
 
 
@@ -216,7 +221,7 @@ def problems(root):
                     wrong = cca_include(where, target[len("cca/"):], part, is_forwarder(text))
                 else:
                     wrong = other_include(where, target, part)
-                    if target.startswith("boost/"):
+                    if target.startswith("boost/hana/"):
                         boost.setdefault(name, number)
                 if wrong:
                     yield f"{name}:{number}: <{target}>: {wrong}"

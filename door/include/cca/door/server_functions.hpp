@@ -12,12 +12,9 @@
 #include <boost/asio/write.hpp>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <list>
 #include <memory>
 #include <string>
@@ -25,51 +22,19 @@
 #include <thread>
 
 #include <cca/base/refused.hpp>
+#include <cca/door/network/connection.hpp>
 #include <cca/door/network/hub_functions.hpp>
 #include <cca/door/network/inbox_functions.hpp>
 #include <cca/door/server.hpp>
 
 namespace cca::detail {
 
-namespace door_network {
-
-namespace asio = boost::asio;
-using tcp = asio::ip::tcp;
-using error = boost::system::error_code;
-
-inline std::string page_of(const std::string& name) {
-  if (name.empty()) return {};
-  std::ifstream file(name, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file || text.empty())
-    throw refused("door_settings::page: the page " + name + " can't be read, or is empty");
-  return text;
-}
-
-inline std::string text_of(const tcp::endpoint& end) {
-  const std::string address = end.address().to_string();
-  return (end.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(end.port());
-}
-
-}  // namespace door_network
-
 struct door_server::inside {
   using error = door_network::error;
   using tcp = door_network::tcp;
   using time_point = door_network::time_point;
 
-  // A socket, from its greeting to its end. It lives while a read or a write of it is under way.
-  struct connection {
-    explicit connection(tcp::socket s, std::size_t most, time_point until)
-        : socket(std::move(s)), frames(most), deadline(until) {}
-    tcp::socket socket;
-    door_network::frame_reader frames;
-    door_network::door_client* client = nullptr;
-    std::string greeting{}, sending{};
-    std::array<char, 16384> piece;
-    time_point deadline;
-    bool is_writing = false, ends_after_write = false, is_open = true;
-  };
+  using connection = door_network::connection;
   using shared = std::shared_ptr<connection>;
 
   inside(const door_settings& given, door_controls& of, const door_limits& all)

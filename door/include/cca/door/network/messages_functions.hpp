@@ -1,6 +1,5 @@
-// The messages of the protocol that a door sends:
-// https://github.com/foxglove/ws-protocol/blob/main/docs/spec.md, and those of its own, whose `op` begins
-// with `cca.`. docs/door.md
+// The messages that a door sends: those of foxglove/ws-protocol, and those of its own, whose `op` begins with
+// `cca.`. docs/door.md
 #pragma once
 
 #include <algorithm>

@@ -1,0 +1,51 @@
+// A socket of a door, from its greeting to its end; and the page that it may be served.
+#pragma once
+
+#include <utility>
+
+#include <boost/asio/ip/tcp.hpp>
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <cca/base/refused.hpp>
+#include <cca/door/network/client.hpp>
+#include <cca/door/network/frames_functions.hpp>
+
+namespace cca::detail::door_network {
+
+namespace asio = boost::asio;
+using tcp = asio::ip::tcp;
+using error = boost::system::error_code;
+
+inline std::string page_of(const std::string& name) {
+  if (name.empty()) return {};
+  std::ifstream file(name, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file || text.empty())
+    throw refused("door_settings::page: the page " + name + " can't be read, or is empty");
+  return text;
+}
+
+inline std::string text_of(const tcp::endpoint& end) {
+  const std::string address = end.address().to_string();
+  return (end.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(end.port());
+}
+
+// A socket, from its greeting to its end. It lives while a read or a write of it is under way.
+struct connection {
+  explicit connection(tcp::socket s, std::size_t most, time_point until)
+      : socket(std::move(s)), frames(most), deadline(until) {}
+  tcp::socket socket;
+  door_network::frame_reader frames;
+  door_network::door_client* client = nullptr;
+  std::string greeting{}, sending{};
+  std::array<char, 16384> piece;
+  time_point deadline;
+  bool is_writing = false, ends_after_write = false, is_open = true;
+};
+
+}  // namespace cca::detail::door_network
