@@ -51,7 +51,7 @@ export class Door {
 
   hear({ opened, closed, samples, texts, status, raw, time }) {
     if (opened) {
-      Object.assign(this, { isConnected: true, wasConnected: true, wait: 250, heardAt: performance.now() });
+      Object.assign(this, { isConnected: true, wait: 250, connections: (this.connections ?? 0) + 1, heardAt: performance.now() });
       this.url = this.url.replace(/\?once=.*/, '');  // it was valid once
       this.send({ op: 'cca.describe' });
       this.send({ op: 'subscribeParameterUpdates', parameterNames: [] });
@@ -119,14 +119,15 @@ export class Door {
   // Both the channels and the description are there.
   begin() {
     if (!this.program || this.channelList.size === 0) return;
-    const architecture = this.program.metadata?.['cca.architecture'];
-    if (!architecture) return;
+    const { architecture: text, program: name } = this.program;
+    const architecture = this.program.metadata?.['cca.architecture'] ?? { name, text, ns_a_beat: /^(\d+) ns a beat/.exec(text)?.[1] };
+    if (!architecture.ns_a_beat) return;
     const channels = new Map([...this.channelList.values()].map((c) => [c.topic, c]));
     const same = this.isSame(architecture.text);
     if (!same) {
       this.text = architecture.text;
       this.channels = channels;
-      this.description = described(architecture, channels, new Map(Object.entries(this.program.metadata['cca.places'] ?? {})));
+      this.description = described(architecture, channels, new Map(Object.entries(this.program.metadata?.['cca.places'] ?? {})));
       this.description.name = this.program.program || this.description.name;
       this.description.parameters = this.program.parameters.map(parameterOf);
       this.period = this.description.period * 1e-9;
@@ -155,25 +156,40 @@ export class Door {
       this.isDescribed = true;
       this.subscribed = new Set();
     }
-    // A program whose recording begins later than its door tells of its channels then.
-    const ids = [...wanted.map((c) => c.id), ...this.byId.keys()].filter((id) => !this.subscribed.has(id));
-    for (const id of ids) this.subscribed.add(id);
-    if (ids.length > 0) this.send({ op: 'subscribe', subscriptions: ids.map((id) => ({ id, channelId: id })) });
-    this.follow(this.followed ?? []);
-    if (!same) this.on.changed();
+    this.candidate = RecordedOncilla.in(this, this.oncilla);
+    this.subscribe(wanted.map((c) => c.id));
+    this.follow(this.drawn, this.plotted);
     this.values = this.program.parameters.map((p) => p.value);
+    if (!same) this.on.changed();
     this.on.parameters();
   }
   isSame(text) {
     return this.text === text && this.description && this.program.program === this.shownProgram
       || (this.shownProgram = this.program.program, false);
   }
-  // Of these outputs all samples are kept.
-  follow(outputs) {
-    this.followed = outputs;
+  subscribe(ids) {
+    const more = ids.filter((id) => !this.subscribed.has(id));
+    for (const id of more) this.subscribed.add(id);
+    if (more.length > 0) this.send({ op: 'subscribe', subscriptions: more.map((id) => ({ id, channelId: id })) });
+  }
+  // The program sends only what is shown: the outputs that are drawn with their values, and what the robot is
+  // drawn from. Of those that are plotted all samples are kept.
+  follow(drawn = [], plotted = []) {
+    Object.assign(this, { drawn, plotted });
     if (!this.isDescribed) return;
-    const ids = [...new Set([...outputs, ...(this.contacts >= 0 ? [this.contacts] : [])])].map((o) => this.description.outputs[o]?.channel?.id).filter((id) => id !== undefined);
-    this.worker.postMessage({ do: 'full', ids });
+    const idOf = (o) => this.description.outputs[o]?.channel?.id;
+    const plan = this.description.outputs.findIndex((o) => o.path === this.description.plan?.port);
+    const all = new Set([...plotted, this.contacts].map(idOf).filter((id) => id !== undefined));
+    const ids = new Set([...drawn, plan, ...Object.values(this.candidate?.ports ?? {})].map(idOf).filter((id) => id !== undefined));
+    for (const id of all) ids.add(id);
+    const key = `${this.connections} ${[...ids]} ${[...all]}`;
+    if (key === this.followed) return;
+    this.followed = key;
+    this.subscribe([...ids]);
+    const less = [...this.subscribed].filter((id) => this.byId.has(id) && !ids.has(id));
+    for (const id of less) this.subscribed.delete(id);
+    if (less.length > 0) this.send({ op: 'unsubscribe', subscriptionIds: less });
+    this.worker.postMessage({ do: 'full', ids: [...all] });
   }
 
   // ---- what comes ----
@@ -209,7 +225,7 @@ export class Door {
   // An Oncilla is drawn as on a live page, any other robot as it is described (cca::shows).
   findRobot() {
     if (this.robot || !this.isDescribed) return;
-    const oncilla = RecordedOncilla.in(this, this.oncilla);
+    const oncilla = this.candidate;
     if (oncilla && [oncilla.ports.angles, oncilla.ports.orientation].some((o) => this.description.outputs[o].ring.size === 0)) return;
     this.robot = oncilla ?? DescribedRobot.in(this);
     if (!this.robot) return;
@@ -270,6 +286,8 @@ export class Door {
   step() { return planStep(this); }
   get fallen() { return false; }
 
+  parameters() { return this.values; }
+
   // ---- what one can ask ----
 
   // Done, with what the program says; or refused, with its reason.
@@ -290,6 +308,27 @@ export class Door {
       message.set(payload, 13 + encoding.length);
       this.worker.postMessage({ do: 'send', message: message.buffer });
     });
+  }
+  // A force in the world, N, with the command that pushes the robot, if the program has one; 0 ends it. One call
+  // at a time, with the newest force.
+  async push([x, y]) {
+    const command = this.program.commands.find(({ name, held, arguments: all }) => name === 'push' && held && all.length === 2 && all.every((a) => a.unit === 'N'));
+    if (!command || !this.rights.commands) return;
+    this.wanted = [x, y];
+    if (this.isPushing) return;
+    this.isPushing = true;
+    try {
+      while (this.wanted) {
+        const [now, isOver] = [this.wanted, this.wanted.every((f) => f === 0)];
+        this.wanted = null;
+        if (isOver) await this.call('release/push');
+        else await this.call('command/push', Object.fromEntries(command.arguments.map(({ name, lower, upper }, i) => [name, Math.min(upper, Math.max(lower, now[i]))])));
+      }
+    } catch (error) {
+      this.on.refused(error.message);
+    } finally {
+      this.isPushing = false;
+    }
   }
   // One at a time, so that a refusal is of this one.
   async set(path, value) {
