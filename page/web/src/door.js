@@ -67,9 +67,8 @@ export class Door {
     }
   }
   lost({ code, reason }) {
-    if (this.isConnected) this.lostAt = performance.now();
+    if (this.isConnected) Object.assign(this, { lostAt: performance.now(), why: reason || (code === 1006 ? '' : `code ${code}`) });
     this.isConnected = false;
-    this.why = reason || (code === 1006 ? '' : `code ${code}`);
     this.rights = { mayChange: false, commands: false, commandedBy: null };
     this.forgetConnection();
     this.on.connection();

@@ -87,9 +87,18 @@ function frame(now) {
     source.seek(source.beat + (seconds * speed) / source.period);
     if (source.beat >= source.beats) play(false);
   }
-  if (seconds > 0) pace += 0.1 * (((source.beat - before) * source.period) / seconds - pace);
+  if (source.isDoor) measurePace(now);
+  else if (seconds > 0) pace += 0.1 * (((source.beat - before) * source.period) / seconds - pace);
   show(false);
   requestAnimationFrame(frame);
+}
+
+// Of a running program, in each second: its samples come in batches.
+let paceSince = { now: 0, time: 0 };
+function measurePace(now) {
+  if (now - paceSince.now < 1000) return;
+  pace = Math.max(0, (source.time - paceSince.time) / ((now - paceSince.now) * 1e-3));
+  paceSince = { now, time: source.time };
 }
 
 let toldAt = 0, drawnAt = -1, drawnAgo = 99, isBehind = false;
