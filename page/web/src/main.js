@@ -54,7 +54,9 @@ function runFor(beats) {
   }
   return done;
 }
+let frames = 0;
 function frame(now) {
+  ++frames;
   const seconds = Math.min(0.25, (now - last) / 1e3);
   last = now;
   if (door && now - toldAt > 250) {
@@ -569,4 +571,4 @@ start().catch((error) => {
   throw error;
 });
 // For tests: what the page shows is checked against what the program says.
-window.ccaPage = { get source() { return source; }, get robot() { return robot; }, get plots() { return plots; }, Live };
+window.ccaPage = { get source() { return source; }, get robot() { return robot; }, get plots() { return plots; }, get frames() { return frames; }, Live };
