@@ -175,13 +175,14 @@ export async function checkDoor(tools) {
   program.kill('SIGKILL');
 }
 
-// 100 outputs at 1 kHz, all drawn and two plotted with all samples. A frame of 60 a second has 16.7 ms; how many
-// there are in fact depends on the machine's other work, and here on a graphics card in software. So what counts
-// is the time that the page itself needs for one.
+// 100 outputs at 1 kHz, all drawn and two plotted with all samples. How many frames there are depends on the
+// machine's other work, and here on a graphics card in software. So the page is called sixty times a second by the
+// clock, and what counts is the time that it needs itself: a frame of 60 a second has 16.7 ms.
 export async function checkManyOutputs({ options, check, browser, picture }) {
   const server = await manyOutputs(options['recording-page']);
   const page = await browser.newPage();
   await page.setViewport({ width: 1280, height: 800 });
+  await page.evaluateOnNewDocument(() => { window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 1000 / 60); });
   await page.goto(`http://127.0.0.1:${server.address().port}/`);
   await page.waitForSelector('[data-node]');
   await page.waitForFunction(() => window.ccaPage.source.publishedIn(99) > 3000, { timeout: 120_000 });
@@ -194,8 +195,7 @@ export async function checkManyOutputs({ options, check, browser, picture }) {
   const [after, to] = [await busy(), await count()];
   const frames = to.frames - from.frames, seconds = (to.now - from.now) / 1e3;
   const seen = { milliseconds_a_frame: (1e3 * (after - before)) / frames, busy: (after - before) / seconds, frames_a_second: frames / seconds, beats_a_second: (to.beat - from.beat) / seconds, behind: server.beats - to.beat };
-  check('100 outputs at 1 kHz: the page needs less than half the time of a frame, or is busy for less than half the time', seen.milliseconds_a_frame < 8 || seen.busy < 0.5, seen);
-  check('100 outputs at 1 kHz: it keeps up with them', seen.behind < 1000, seen.behind);
+  check('100 outputs at 1 kHz: the page needs less than half the time of a frame', frames >= 5 && seen.milliseconds_a_frame < 8, seen);
   const held = await page.evaluate(() => window.ccaPage.source.description.outputs.map(({ ring }) => ring.size));
   check('100 outputs at 1 kHz: of those that are not plotted it keeps 200 a second or more', held.every((size) => size > 300), Math.min(...held));
   await picture(page, 'door-many');
