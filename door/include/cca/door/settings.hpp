@@ -28,7 +28,7 @@ struct door_settings {
   std::vector<std::string> origins{};  // pages of other addresses that may connect: `https://lab.example`
   when_lost on_lost = when_lost::go_on;
   int most_clients = 32;
-  bool tells_where = true;  // prints the address and the token at start
+  bool tells_where = true;             // prints the address and the token at start
   std::string page = page_of_doors();  // an HTML file that is served at `/`; empty: none
 };
 
