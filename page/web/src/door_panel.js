@@ -127,7 +127,7 @@ export class DoorPanel {
   status() {
     const { is_paused: isPaused, speed, mode, stopped_parts: stopped, recording, environments, state } = this.door.door;
     const set = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
-    set('door-play', isPaused ? '▶ Go on' : '⏸ Pause');
+    set('door-play', isPaused ? '▶ Go on' : '❚❚ Pause');
     $('door-resume').hidden = state !== 'faulted';
     if (document.activeElement !== $('door-speed')) {
       const text = String(speed);
