@@ -22,6 +22,7 @@ export class Door {
     this.waiting = new Map();
     this.calls = 0;
     this.wait = 250;
+    this.tries = 0;
     this.first = 0;
     worker.onmessage = ({ data }) => this.hear(data);
   }
@@ -73,6 +74,8 @@ export class Door {
     this.forgetConnection();
     this.on.connection();
     this.on.rights();
+    // The page may come from elsewhere than a door.
+    if (!this.connections && ++this.tries > 8) return this.on.nobody();
     this.again = setTimeout(() => this.connect(), this.wait);
     this.wait = Math.min(2000, 2 * this.wait);
   }

@@ -534,6 +534,10 @@ function openDoor() {
     parameters(paths) { if (isShown() && fields.length > 0) { showParameters(paths); panel.enable(); } },
     line(one) { panel.line(one); },
     told({ level, message }) { if (!message.startsWith('setParameters: ')) say(message, level === 2); },
+    nobody() {
+      offer('none');
+      say('no program answers here; recordings can be opened');
+    },
     refused(why) { say(`refused: ${why}`, true); },
   });
   panel = new DoorPanel(door, say);
