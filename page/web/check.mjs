@@ -5,6 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { createRequire } from 'node:module';
 import { launch } from './browser.mjs';
+import { checkDoor, checkManyOutputs } from './check_door.mjs';
 import { checkFault, checkSkills } from './check_skills.mjs';
 import { checkDescribed, checkPages, checkRecording, checkRefusals } from './check_recording.mjs';
 import { checkTouch } from './check_touch.mjs';
@@ -67,9 +68,9 @@ const position = async (page) => [await number(page, '#x'), await number(page, '
 const state = (page) => text(page, '#state');
 
 // `--only touch`: while you work on them.
-const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages, described: checkDescribed };
+const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages, described: checkDescribed, door: checkDoor, many: checkManyOutputs };
 const wanted = options.only?.split(',') ?? Object.keys(parts);
-for (const part of wanted) await parts[part]({ options, check, near, open, text, number, settle, message, press, runAhead, parameter, picture, accessible, position, state, requests });
+for (const part of wanted) await parts[part]({ options, check, near, open, text, number, settle, message, press, runAhead, parameter, picture, accessible, position, state, requests, browser, complaints });
 
 check('no error and no warning in the console', complaints.length === 0, complaints);
 await browser.close();

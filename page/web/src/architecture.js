@@ -274,6 +274,9 @@ export class ArchitectureView {
     return newest;
   }
 
+  // The outputs whose values are drawn.
+  shown() { return this.parts.flatMap((part) => part.values.map(({ output }) => output)); }
+
   update() {
     const { source } = this;
     const row = source.newest();

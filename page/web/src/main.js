@@ -1,6 +1,8 @@
 // The page: what runs, what is shown, and what the user does.
 import uPlotStyle from 'uplot/dist/uPlot.min.css';
 import { ArchitectureView } from './architecture.js';
+import { Door } from './door.js';
+import { DoorPanel } from './door_panel.js';
 import { Footfalls } from './footfalls.js';
 import { fromBase64, Live, startProgram } from './live.js';
 import { parse, range } from './numbers.js';
@@ -15,7 +17,7 @@ document.head.append(Object.assign(document.createElement('style'), { textConten
 
 const embedded = $('recording');  // what a program has put into the page (`--page`)
 
-let live = null, source = null, robot = null, architecture = null, plots = null, footfalls = null, fields = [];
+let live = null, door = null, panel = null, source = null, robot = null, architecture = null, plots = null, footfalls = null, fields = [];
 let isPlaying = false, speed = 1, last = 0, due = 0, pace = 0, ahead = 0, isDark = false;
 
 function say(text, isRefused = false) {
@@ -36,6 +38,7 @@ function attempt(what, action) {
 // ---- running ----
 
 function play(on) {
+  if (source.isDoor) return;
   isPlaying = on;
   due = 0;
   const button = $(source.isLive ? 'play' : 'replay-play');
@@ -51,9 +54,15 @@ function runFor(beats) {
   }
   return done;
 }
+let frames = 0;
 function frame(now) {
+  ++frames;
   const seconds = Math.min(0.25, (now - last) / 1e3);
   last = now;
+  if (door && now - toldAt > 250) {
+    toldAt = now;
+    panel.refresh();
+  }
   if (!source) return requestAnimationFrame(frame);
   const before = source.beat;
   if (ahead > 0) {
@@ -76,16 +85,25 @@ function frame(now) {
       due -= n;
     }
     due = Math.min(due, 1 + 0.02 / source.period);
-  } else if (isPlaying) {
+  } else if (isPlaying && source.isRecording) {
     source.seek(source.beat + (seconds * speed) / source.period);
     if (source.beat >= source.beats) play(false);
   }
-  if (seconds > 0) pace += 0.1 * (((source.beat - before) * source.period) / seconds - pace);
+  if (source.isDoor) measurePace(now);
+  else if (seconds > 0) pace += 0.1 * (((source.beat - before) * source.period) / seconds - pace);
   show(false);
   requestAnimationFrame(frame);
 }
 
-let drawnAt = -1, drawnAgo = 99, isBehind = false;
+// Of a running program, in each second: its samples come in batches.
+let paceSince = { now: 0, time: 0 };
+function measurePace(now) {
+  if (now - paceSince.now < 1000) return;
+  pace = Math.max(0, (source.time - paceSince.time) / ((now - paceSince.now) * 1e-3));
+  paceSince = { now, time: source.time };
+}
+
+let toldAt = 0, drawnAt = -1, drawnAgo = 99, isBehind = false;
 function show(now) {
   const changed = now || source.beat !== drawnAt;
   isBehind ||= changed;
@@ -93,30 +111,34 @@ function show(now) {
   ++drawnAgo;
   const { state, fault, faultPath } = source.status;
   const set = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
-  set('state', state);
+  set('state', !source.isDoor ? state : !source.isConnected ? 'not connected' : source.door.is_paused ? 'paused' : state);
   $('state').classList.toggle('faulted', state === 'faulted');
   set('time', source.time.toFixed(3));
   set('beat', String(source.beat));
-  set('pace', isPlaying || ahead > 0 ? `${pace.toFixed(2)} ×` : '—');
+  set('pace', isPlaying || ahead > 0 || source.isDoor && source.isConnected && !source.door.is_paused ? `${pace.toFixed(2)} ×` : '—');
   if (source.description.robot) {
     const position = source.position();
     $('position-box').hidden = !position;
     if (position) ['x', 'y', 'z'].forEach((axis, i) => set(axis, position[i].toFixed(4)));
     showForce();
   }
-  set('alert', state === 'faulted' ? `⚠ fault in ${faultPath || 'the loop'}: ${fault}` : source.fallen ? '⚠ the robot has fallen' : '');
+  set('alert', source.isDoor && panel.complaint ? panel.complaint : state === 'faulted' ? `⚠ fault in ${faultPath || 'the loop'}: ${fault}` : source.fallen ? '⚠ the robot has fallen' : '');
   if (source.isLive) {
     for (const button of document.querySelectorAll('[data-change]')) button.disabled = !allowed[button.dataset.change].includes(state);
     for (const id of ['play', 'step', 'run-ahead']) $(id).disabled = !source.runs;
     showSnapshots();
-  } else if (document.activeElement !== $('replay-time')) $('replay-time').value = source.time;
+  } else if (source.isRecording && document.activeElement !== $('replay-time')) $('replay-time').value = source.time;
   // Nothing is drawn that looks as before, and little while it runs on as fast as possible.
-  if (robot && source.description.robot && (changed || robot.isStale || robot.isResized) && (ahead <= 0 || drawnAgo % 8 === 0)) robot.draw(source.poses, source.forces(), source.targets());
+  if (robot && source.description.robot && (changed || robot.isStale || robot.isResized) && (ahead <= 0 || drawnAgo % 8 === 0)) {
+    if (source.isDoor) source.pose();
+    robot.draw(source.poses, source.forces(), source.targets());
+  }
   if ((changed || isBehind) && drawnAgo >= (ahead > 0 ? 16 : 3) || now) {  // text and lines need not follow at 60 Hz
     drawnAgo = 0;
     isBehind = false;
     architecture.update();
     plots.update();
+    if (source.isDoor) source.follow(architecture.shown(), plots.plots.flatMap((plot) => plot.series.map((curve) => curve.output)));
     if (source.description.robot && source.hasContacts) footfalls.update(isDark);
     showPlan();
     showButtons();
@@ -209,7 +231,9 @@ function listen() {
   }));
   document.addEventListener('keydown', (event) => {
     if (!source || /^(INPUT|SELECT|TEXTAREA|BUTTON)$/.test(event.target.tagName) || event.ctrlKey || event.altKey || event.metaKey || event.target.classList.contains('port')) return;
-    if (event.key === ' ') play(!isPlaying);
+    if (event.key === ' ' && source.isDoor) panel.playOrPause();
+    else if (event.key === ' ') play(!isPlaying);
+    else if (event.key === '.' && source.isDoor) panel.step();
     else if (event.key === '.' && source.isLive) $('step').click();
     else return;
     event.preventDefault();
@@ -244,7 +268,7 @@ function listen() {
     openFile($('file').files[0]);
     $('file').value = '';  // so that the same file can be chosen again
   });
-  $('to-live').addEventListener('click', () => look(live));
+  $('to-live').addEventListener('click', () => look(live ?? door));
   document.addEventListener('dragover', (event) => { event.preventDefault(); document.body.classList.add('dropping'); });
   document.addEventListener('dragleave', (event) => { if (!event.relatedTarget) document.body.classList.remove('dropping'); });
   document.addEventListener('drop', (event) => {
@@ -306,40 +330,70 @@ function buildParameters() {
     let input;
     if (field.kind === 'choice') {
       input = document.createElement('select');
-      input.append(...field.names.map((name, n) => new Option(name, n)));
+      input.append(...field.names.map((name, n) => new Option(name, source.isDoor ? name : n)));
     } else if (field.kind === 'boolean') {
       input = Object.assign(document.createElement('input'), { type: 'checkbox' });
     } else {
-      input = Object.assign(document.createElement('input'), { type: 'text', inputMode: 'decimal', autocomplete: 'off' });
+      input = Object.assign(document.createElement('input'), { type: 'text', inputMode: field.kind === 'text' || field.kind === 'numbers' ? 'text' : 'decimal', autocomplete: 'off' });
     }
     input.id = id;
     input.dataset.path = field.path;
     const allowedRange = Object.assign(document.createElement('small'), { id: `${id}-range`, textContent: range(field) });
     const reason = Object.assign(document.createElement('span'), { className: 'reason', id: `${id}-reason` });
     input.setAttribute('aria-describedby', `${id}-range ${id}-reason`);
+    input.addEventListener('input', () => { field.isEdited = true; });
     input.addEventListener('change', () => setParameter(i));
-    row.append(label, input, allowedRange, reason);
+    row.append(label, input, ...slider(field, i), allowedRange, reason);
     groups.get(node).append(row);
     Object.assign(field, { input, reason });
   });
   showParameters();
 }
-function showParameters() {
+// Of a running program, with the range of the parameter's type.
+function slider(field, i) {
+  delete field.slider;
+  if (!source.isDoor || !['number', 'integer'].includes(field.kind) || field.lower === null || field.upper === null) return [];
+  const step = field.kind === 'integer' ? 1 : (field.upper - field.lower) / 500;
+  field.slider = Object.assign(document.createElement('input'), { type: 'range', min: field.lower, max: field.upper, step, ariaLabel: `${field.path}, slider` });
+  field.slider.addEventListener('input', () => { field.input.value = +Number(field.slider.value).toPrecision(4); });
+  field.slider.addEventListener('change', () => setParameter(i));
+  return [field.slider];
+}
+// All of them, or those whose paths are given. What someone is typing stays.
+function showParameters(paths) {
   const values = source.parameters();
   fields.forEach((field, i) => {
-    if (field.kind === 'boolean') field.input.checked = values[i] !== 0;
-    else field.input.value = field.kind === 'choice' ? values[i] : values[i] === null ? 'inf' : +values[i].toPrecision(6);  // JSON has no infinity
+    if (paths && !paths.includes(field.path) || field.isEdited && document.activeElement === field.input) return;
+    const value = values[i];
+    if (field.kind === 'boolean') field.input.checked = Boolean(value);
+    else if (field.kind === 'numbers') field.input.value = value.map((one) => +one.toPrecision(6)).join(', ');
+    else field.input.value = field.kind === 'choice' || field.kind === 'text' ? value : value === null ? 'inf' : +value.toPrecision(6);  // JSON has no infinity
+    if (field.slider && document.activeElement !== field.slider) field.slider.value = value;
+    field.isEdited = false;
     field.reason.textContent = '';
     field.input.removeAttribute('aria-invalid');
   });
 }
-function setParameter(i) {
-  const field = fields[i];
-  let problem = '', value = 0;
-  if (field.kind === 'boolean') value = field.input.checked ? 1 : 0;
-  else if (field.kind === 'choice') value = Number(field.input.value);
-  else ({ value, problem = '' } = parse(field.input.value, field));
-  problem ||= source.set(i, value);
+function wantedOf(field) {
+  const { value } = field.input;
+  if (field.kind === 'boolean') return { value: source.isDoor ? field.input.checked : field.input.checked ? 1 : 0 };
+  if (field.kind === 'choice') return { value: source.isDoor ? value : Number(value) };
+  if (field.kind === 'text') return { value };
+  if (field.kind !== 'numbers') return parse(value, field);
+  const all = value.split(',').map((one) => parse(one, field));
+  return all.find((one) => one.problem) ?? { value: all.map((one) => one.value) };
+}
+async function setParameter(i) {
+  const field = fields[i], of = source;
+  let { value, problem = '' } = wantedOf(field);
+  field.isEdited = false;
+  try {
+    if (!problem && of.isDoor) await of.set(field.path, value);
+    else problem ||= of.set(i, value);
+  } catch (error) {
+    problem = error.message;
+    if (field.slider) field.slider.value = of.parameters()[i];
+  }
   field.reason.textContent = problem ? `refused: ${problem}` : '';
   field.input.toggleAttribute('aria-invalid', false);
   if (problem) field.input.setAttribute('aria-invalid', 'true');
@@ -358,23 +412,29 @@ function theme() {
   if (source) show(true);
 }
 
+// What is offered of a kind of source: `live`, `recording`, `door`.
+function offer(kind) {
+  for (const one of document.querySelectorAll('.live-only, .recording-only, .door-only')) one.hidden = !one.classList.contains(`${kind}-only`);
+  document.body.classList.toggle('at-door', kind === 'door');
+}
 function look(at) {
   if (source) play(false);
   source = at;
   document.body.classList.remove('empty');
   document.body.classList.toggle('no-robot', !source.description.robot);
-  document.body.classList.toggle('no-parameters', !source.isLive || source.description.parameters.length === 0);
-  for (const one of document.querySelectorAll('.live-only')) one.hidden = !source.isLive;
-  for (const one of document.querySelectorAll('.recording-only')) one.hidden = source.isLive;
-  $('to-live').hidden = !live || source === live;
+  document.body.classList.toggle('no-parameters', Boolean(source.isRecording) || source.description.parameters.length === 0);
+  offer(source.isDoor ? 'door' : source.isLive ? 'live' : 'recording');
+  $('to-live').hidden = !(live ?? door) || !source.isRecording;
+  $('to-live').textContent = live ? 'back to the live controller' : 'back to the running program';
   $('position-box').hidden = !source.description.robot || !source.isLive;
   $('pace-box').hidden = false;
-  if (!source.isLive) $('replay-time').max = source.beats * source.period;
-  if (source.isLive) buildParameters();
+  if (source.isRecording) $('replay-time').max = source.beats * source.period;
+  if (!source.isRecording) buildParameters();
   $('plots').replaceChildren();
   plots = new Plots($('plots'), source);
   plots.isDark = isDark;
-  $('seconds').value = source.isLive ? '4' : 'whole';
+  $('seconds').value = source.isRecording ? 'whole' : source.isDoor ? '10' : '4';
+  if (source.isDoor) plots.seconds = 10;
   plots.onChange = () => $('in-plot').replaceChildren(...plots.plots.map((_, i) => new Option(`plot ${i + 1}`, i)), new Option('a new plot', plots.plots.length));
   plots.onZoom = () => {
     $('zoom-all').disabled = !plots.span;
@@ -405,7 +465,7 @@ function look(at) {
 }
 function startRobot() {
   try {
-    return new RobotView($('robot'), source, (force) => source.isLive && source.push(force, force.some((f) => f !== 0) ? 3600 : 0));
+    return new RobotView($('robot'), source, (force) => !source.isRecording && source.push(force, force.some((f) => f !== 0) ? 3600 : 0));
   } catch (error) {
     say(`the robot can't be shown in 3D: ${error.message}`, true);
     return null;
@@ -445,6 +505,47 @@ function firstPlots() {
   for (const o of [...new Set(chosen)].slice(0, 2)) plots.addPort(o);
 }
 
+// The page comes from the door of a program, and is connected to it.
+function openDoor() {
+  offer('door');
+  const memory = 'cca-token';
+  // Out of the address, where it would be copied along.
+  const token = settings.get('token') ?? sessionStorage.getItem(memory) ?? '';
+  const once = new URLSearchParams(location.search).get('once');
+  settings.delete('token');
+  history.replaceState(null, '', `${location.pathname}${settings.size > 0 ? `#${settings}` : ''}`);
+  const isShown = () => source === door && door.description;
+  const thread = new Worker(URL.createObjectURL(new Blob([DOOR_WORKER], { type: 'text/javascript' })));
+  door = new Door(thread, KNOWN, {
+    changed() {
+      document.title = door.description.name;
+      document.querySelector('h1').textContent = door.description.name;
+      panel.offer();
+      if (source?.isRecording) return;
+      look(door);
+      panel.enable();
+    },
+    rights() { panel?.rights(); },
+    connection() {
+      panel?.connection();
+      if (isShown()) show(true);
+    },
+    status() { panel.status(); },
+    parameters(paths) { if (isShown() && fields.length > 0) { showParameters(paths); panel.enable(); } },
+    line(one) { panel.line(one); },
+    told({ level, message }) { if (!message.startsWith('setParameters: ')) say(message, level === 2); },
+    nobody() {
+      offer('none');
+      say('no program answers here; recordings can be opened');
+    },
+    refused(why) { say(`refused: ${why}`, true); },
+  });
+  panel = new DoorPanel(door, say);
+  panel.keepToken = (one) => sessionStorage.setItem(memory, one);
+  panel.offeredToken = token;
+  door.connect(`ws://${location.host}/${once ? `?once=${once}` : ''}`, token);
+}
+
 async function start() {
   if (PROGRAM) {
     live = await startProgram(PROGRAM, FILES);
@@ -453,12 +554,13 @@ async function start() {
     live.change('start');
     show(true);
     if (!settings.has('paused')) play(true);
-  } else {  // only recordings
+  } else {  // recordings, or a program that runs
     document.body.classList.add('empty', 'no-parameters');
-    for (const one of document.querySelectorAll('.live-only')) one.hidden = true;
+    offer('none');
     theme();
   }
   listen();
+  if (!PROGRAM && !embedded && location.protocol === 'http:') openDoor();
   if (embedded) {
     document.title = embedded.dataset.name;
     document.querySelector('h1').textContent = embedded.dataset.name;
@@ -473,4 +575,4 @@ start().catch((error) => {
   throw error;
 });
 // For tests: what the page shows is checked against what the program says.
-window.ccaPage = { get source() { return source; }, get robot() { return robot; }, get plots() { return plots; }, Live };
+window.ccaPage = { get source() { return source; }, get robot() { return robot; }, get plots() { return plots; }, get frames() { return frames; }, Live };

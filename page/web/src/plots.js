@@ -12,7 +12,7 @@ export class Plots {
     this.seconds = 4;
     this.isPaused = false;
     this.span = null;  // zoomed: [from, to]
-    this.isWhole = !source.isLive;  // a recording is shown from its beginning to its end
+    this.isWhole = Boolean(source.isRecording);  // it is shown from its beginning to its end
     this.isDark = false;
   }
 
@@ -111,7 +111,7 @@ export class Plots {
   }
   // A line where the recording is played.
   markNow(chart) {
-    if (this.source.isLive) return;
+    if (!this.source.isRecording) return;
     const { ctx, bbox } = chart, x = Math.round(chart.valToPos(this.source.time, 'x', true)) + 0.5;
     if (x < bbox.left || x > bbox.left + bbox.width) return;
     ctx.save();
@@ -141,7 +141,7 @@ export class Plots {
   }
   pause(on) {
     this.isPaused = on;
-    if (!this.source.isLive && on) this.span = this.shown();
+    if (this.source.isRecording && on) this.span = this.shown();
     this.frozen = on ? this.source.time : null;
     if (!on) this.span = null;
     this.onZoom?.();
@@ -161,13 +161,13 @@ export class Plots {
   // The newest value of each curve; of a recording the one at the time that is played.
   label(plot, newest) {
     plot.labels.forEach(({ value, curve }, i) => {
-      const now = this.source.isLive ? newest[i] : this.source.sample(curve.output)?.[curve.i];
+      const now = !this.source.isRecording ? newest[i] : this.source.sample(curve.output)?.[curve.i];
       value.textContent = now === undefined ? '—' : `${short(now)} ${curve.unit}`;
     });
   }
 
   update() {
-    if (!this.source.isLive && (this.span || this.isWhole || this.isPaused)) {  // nothing moves but the line
+    if (this.source.isRecording && (this.span || this.isWhole || this.isPaused)) {  // nothing moves but the line
       for (const plot of this.plots) {
         plot.chart.redraw(false);
         this.label(plot, []);

@@ -129,8 +129,17 @@ TEST_CASE("The page is served at / alone, with what keeps others out") {
         "HTTP/1.1 405 Method Not Allowed");
 }
 
-TEST_CASE("A door without a page says so") {
+TEST_CASE("The page of cca is served where nothing else is said") {
   opened one;
+  raw_connection wire(one.port());
+  wire.send("GET / HTTP/1.1\r\nHost: localhost:" + std::to_string(one.port()) + "\r\n\r\n");
+  CHECK(wire.closes());
+  CHECK(wire.received.starts_with("HTTP/1.1 200 OK\r\n"));
+  CHECK(wire.received.find("<!-- the recording -->") != std::string::npos);
+}
+
+TEST_CASE("A door without a page says so") {
+  opened one({.page = ""});
   CHECK(answer_to_text(one.port(), "GET / HTTP/1.1\r\nHost: localhost:" + std::to_string(one.port()) +
                                        "\r\n\r\n") == "HTTP/1.1 426 Upgrade Required");
 }

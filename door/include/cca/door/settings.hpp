@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@ namespace cca {
 
 // What a program does when the connection is lost of the client that holds the right to command.
 enum class when_lost { go_on, hold, stop };  // hold: a pause; stop: the run ends
+
+// page/recording.html of cca, where the target cca::record says it is; empty: it isn't there.
+inline std::string page_of_doors() {
+#ifdef CCA_RECORDING_PAGE
+  if (std::ifstream(CCA_RECORDING_PAGE)) return CCA_RECORDING_PAGE;
+#endif
+  return {};
+}
 
 struct door_settings {
   std::uint16_t port = 8765;  // 0: any that is free; `door.port()` tells
@@ -19,8 +28,8 @@ struct door_settings {
   std::vector<std::string> origins{};  // pages of other addresses that may connect: `https://lab.example`
   when_lost on_lost = when_lost::go_on;
   int most_clients = 32;
-  bool tells_where = true;  // prints the address and the token at start
-  std::string page{};       // an HTML file that is served at `/`; empty: the page that is compiled in, if any
+  bool tells_where = true;             // prints the address and the token at start
+  std::string page = page_of_doors();  // an HTML file that is served at `/`; empty: none
 };
 
 }  // namespace cca
