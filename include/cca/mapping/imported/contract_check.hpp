@@ -119,8 +119,8 @@ private:
       (compare_named<Term, In>(m, is_there), ...);
       if (!is_there)
         m << "mapping.policy_terms: the policy `" << Contract::name << "` observes `" << Term::name << "` ("
-          << Term::is << "), and it has no port of this name: add cca::in<\"" << Term::name
-          << "\", ...> to its cca::policy_inputs";
+          << Term::is << "), and it has no port of this name: add a "
+             "cca::in of it to the cca::policy_inputs";
     }
   }
   template <class Term, class Port>
