@@ -260,7 +260,7 @@ private:
                      ": more than a turn; angles are in rad, and these look like degrees");
         }
     for (std::size_t i = 0; i < c.joints.size(); ++i)
-      t.numbers.push_back({axes_[i], signs_[i] * rest[i], 1, signs_[i]});
+      t.numbers.push_back({axes_[i], signs_[i] * rest[i] + 0.0, 1, signs_[i]});
   }
 
   void observations(contract& c) {

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Makes the networks that the tests of policies read: small ONNX files, as exporters write them.
 
-usage: make_networks.py FOLDER
+usage: make_networks.py FOLDER of this program
 
-Needs Debian's python3-onnx. The files beside this program were made by it; the same numbers each time.
+Needs Debian's python3-onnx. The files in networks/ and walk/ were made by it; the same numbers each time.
 """
 import pathlib
 import sys
@@ -191,10 +191,20 @@ def networks():
                                    "outputs": [net.value("actions", 1, ACTIONS), net.value("h_out", 2, 1, H), net.value("c_out", 2, 1, H)]}
 
 
+def walk():
+    """With a history of three, a quaternion and a normaliser: beside a deploy.yaml and a map."""
+    net, observed = Net(40), 3 * 21
+    mlp(net, normalised(net, "obs", observed), [observed, 32, 16, ACTIONS], "Elu", alpha=1.0)
+    names = "base_ang_vel,attitude,velocity_commands,joint_pos_rel,joint_vel_rel,last_action"
+    return net, {"meta": META | {"observation_names": names}, "inputs": [net.value("obs", 1, observed)]}
+
+
 def main():
-    folder = pathlib.Path(sys.argv[1])
+    here = pathlib.Path(sys.argv[1])
     for name, net, arguments in networks():
-        net.save(folder / f"{name}.onnx", **arguments)
+        net.save(here / "networks" / f"{name}.onnx", **arguments)
+    net, arguments = walk()
+    net.save(here / "walk" / "walk.onnx", **arguments)
 
 
 if __name__ == "__main__":

@@ -119,7 +119,8 @@ private:
       (compare_named<Term, In>(m, is_there), ...);
       if (!is_there)
         m << "mapping.policy_terms: the policy `" << Contract::name << "` observes `" << Term::name << "` ("
-          << Term::is << "), and it has no port of this name: add a "
+          << Term::is
+          << "), and it has no port of this name: add a "
              "cca::in of it to the cca::policy_inputs";
     }
   }
