@@ -62,7 +62,7 @@ constexpr void compare_port(text& m, const char* verb) {
     if (place_in<Space>(Term::numbers[i].name) < 0) {
       m << "mapping.policy_numbers: the policy `" << Contract::name << "` " << verb << " the number "
         << Term::numbers[i].name << " of `" << Term::name << "`, and " << space_in_words<Space>()
-        << " has none of this name: numbers are matched by name, so name the axis in the map, under [joints]";
+        << " has none of this name: numbers are matched by name, so name the axis in the map (joint.NAME.axis)";
       return;
     }
   for (int k = 0; k < Space::size; ++k) {
@@ -83,7 +83,7 @@ constexpr void compare_port(text& m, const char* verb) {
       m << "mapping.policy_rest: the default position of " << one.name << " in `" << Term::name
         << "` of the policy `" << Contract::name << "` is " << one.rest << " " << field.unit << ", and "
         << type_name<Space>() << " allows it from " << field.lower << " to " << field.upper
-        << ": it may have another sign, zero or unit; say so in the map, under [joints]";
+        << ": it may have another sign, zero or unit; say so in the map (joint.NAME.sign)";
       return;
     }
   }
