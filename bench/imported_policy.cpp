@@ -138,9 +138,11 @@ struct sink {
 };
 
 template <class Contract>
-struct policy : cca::imported_policy<Contract,
-                                     cca::policy_inputs<cca::in<"angles", angles>, cca::in<"rates", rates>, cca::in<"before", numbers>>,
-                                     angles> {};
+struct policy
+    : cca::imported_policy<
+          Contract,
+          cca::policy_inputs<cca::in<"angles", angles>, cca::in<"rates", rates>, cca::in<"before", numbers>>,
+          angles> {};
 template <class Policy>
 struct walking : cca::graph<cca::rate<50>,
                             cca::node<"in", source>,
@@ -155,7 +157,8 @@ void draw(auto& weights) {
   std::uint64_t bits = 1;
   for (auto& w : weights) {
     bits = bits * 6364136223846793005u + 1442695040888963407u;
-    w = static_cast<std::remove_reference_t<decltype(w)>>(0.1 * (static_cast<double>(bits >> 11) * 0x1p-52 - 1));
+    w = static_cast<std::remove_reference_t<decltype(w)>>(0.1 *
+                                                          (static_cast<double>(bits >> 11) * 0x1p-52 - 1));
   }
 }
 
@@ -188,7 +191,8 @@ struct forms {
     const auto p = std::make_unique<products>();
     for (int k = 0; k < 10; ++k) {
       p->beat();
-      const auto y = net<false, 48, Units..., 12>::of(p->w.data(), cca::neural::numbers<Number, 48>(p->in.x.template cast<Number>()));
+      const auto y = net<false, 48, Units..., 12>::of(
+          p->w.data(), cca::neural::numbers<Number, 48>(p->in.x.template cast<Number>()));
       if (!((y - p->last).norm() < 1e-4)) return false;
     }
     return true;
@@ -199,7 +203,8 @@ struct forms {
     for (int k = 0; k < beats; ++k) form->beat();
     if (!form->is_finite()) std::abort();
   }
-  static bool is_run(std::string_view name, std::string_view wanted, std::string_view form, int argc, char** argv) {
+  static bool is_run(
+      std::string_view name, std::string_view wanted, std::string_view form, int argc, char** argv) {
     if (name != wanted) return false;
     if (argc != 4) refuse(form, "policy or products, and a number of beats");
     if (form == "policy") run<graph>(beats_in(argv[3]));
@@ -215,10 +220,13 @@ int main(int argc, char** argv) {
   using namespace bench;
   const std::string_view name = argc > 1 ? argv[1] : "", form = argc > 2 ? argv[2] : "";
   if (name == "list")
-    return std::puts("float_64_64\nfloat_256_128\nfloat_512_256_128\ndouble_64_64\ndouble_256_128\ndouble_512_256_128"), 0;
+    return std::puts(
+               "float_64_64\nfloat_256_128\nfloat_512_256_128\ndouble_64_64\ndouble_256_128\ndouble_512_256_"
+               "128"),
+           0;
   if (name == "check")
-    return !(forms<float, 64, 64>::same() && forms<float, 512, 256, 128>::same() && forms<double, 64, 64>::same() &&
-             forms<double, 512, 256, 128>::same());
+    return !(forms<float, 64, 64>::same() && forms<float, 512, 256, 128>::same() &&
+             forms<double, 64, 64>::same() && forms<double, 512, 256, 128>::same());
   if (forms<float, 64, 64>::is_run(name, "float_64_64", form, argc, argv) ||
       forms<float, 256, 128>::is_run(name, "float_256_128", form, argc, argv) ||
       forms<float, 512, 256, 128>::is_run(name, "float_512_256_128", form, argc, argv) ||

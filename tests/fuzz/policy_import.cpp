@@ -29,8 +29,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       cca_policy::map_reader(text, "map.toml", said, wrong);
     }
     cca_policy::resolver(said, wrong).all("walk");
-  } catch (const cca::refused& e) {
-    fuzz::must(!std::string_view(e.what()).empty());
-  }
+  } catch (const cca::refused& e) { fuzz::must(!std::string_view(e.what()).empty()); }
   return 0;
 }

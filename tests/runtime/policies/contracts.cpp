@@ -1,5 +1,5 @@
-// 40 contracts, each broken in one way: the importer, the compiler or the load refuses each with a sentence that
-// names it, and the contract as it was is accepted. docs/policies.md shows them as a table.
+// 40 contracts, each broken in one way: the importer, the compiler or the load refuses each with a sentence
+// that names it, and the contract as it was is accepted. docs/policies.md shows them as a table.
 #include <functional>
 #include <memory>
 #include <string>
@@ -23,7 +23,8 @@ const std::string folder = CCA_POLICIES "/walk/";
 
 struct files {
   std::string onnx = cca::detail::read_file(folder + "walk.onnx"),
-              deploy = cca::detail::read_file(folder + "deploy.yaml"), map = cca::detail::read_file(folder + "map.toml");
+              deploy = cca::detail::read_file(folder + "deploy.yaml"),
+              map = cca::detail::read_file(folder + "map.toml");
 };
 
 void put(std::string& text, const std::string& old, const std::string& now) {
@@ -38,7 +39,8 @@ void put_in_place(std::string& text, const std::string& old, const std::string& 
 }
 
 cca_policy::imported imported(const files& f, cca_policy::complaints& wrong) {
-  return cca_policy::import_policy({"walk.onnx", f.onnx}, {"deploy.yaml", f.deploy}, {"map.toml", f.map}, wrong);
+  return cca_policy::import_policy({"walk.onnx", f.onnx}, {"deploy.yaml", f.deploy}, {"map.toml", f.map},
+                                   wrong);
 }
 
 // What the importer says first; empty: it writes a header.
@@ -47,9 +49,7 @@ std::string said_of(const files& f) {
     cca_policy::complaints wrong;
     (void)imported(f, wrong);
     return wrong.all().empty() ? "" : wrong.all().front();
-  } catch (const cca::refused& e) {
-    return e.what();
-  }
+  } catch (const cca::refused& e) { return e.what(); }
 }
 
 // What the compiler says of the contract of walk/ and these spaces; empty: it accepts them.
@@ -72,9 +72,7 @@ std::string said_on_load(std::string text) {
   try {
     cca::detail::read_policy_weights<float>(text, file, walk::contract::name, walk::contract::lines, *into);
     return "";
-  } catch (const cca::refused& e) {
-    return e.what();
-  }
+  } catch (const cca::refused& e) { return e.what(); }
 }
 std::string weights_of(const files& f) {
   cca_policy::complaints wrong;
@@ -116,8 +114,10 @@ struct left_knee_bend : cca::dimension<"left_knee_bend"> {
 }  // namespace backwards
 struct gyro_of_imu : cca::space<cca::robots::angular_velocity<imu>, xyz> {};
 struct three_angles : cca::space<cca::joint_angles, cca::axes<left_hip, right_hip, right_knee>> {};
-struct five_angles : cca::space<cca::joint_angles, cca::axes<left_hip, walker::left_knee_bend, right_hip, right_knee, tail>> {};
-struct turned_angles : cca::space<cca::joint_angles, cca::axes<left_hip, backwards::left_knee_bend, right_hip, right_knee>> {};
+struct five_angles : cca::space<cca::joint_angles,
+                                cca::axes<left_hip, walker::left_knee_bend, right_hip, right_knee, tail>> {};
+struct turned_angles
+    : cca::space<cca::joint_angles, cca::axes<left_hip, backwards::left_knee_bend, right_hip, right_knee>> {};
 struct fast_targets : cca::space<cca::joint_angles, walker::joints, cca::rate<200>> {};
 
 template <class Gyro, class Angles, class Velocities>
@@ -136,15 +136,15 @@ std::string ones() {
 const std::string joints = "left_hip,left_knee,right_hip,right_knee";
 
 void break_all() {
-  by_importer("joints in another order", [](files& f) {
-    put_in_place(f.onnx, joints, "right_hip,right_knee,left_hip,left_knee");
-  });
+  by_importer("joints in another order",
+              [](files& f) { put_in_place(f.onnx, joints, "right_hip,right_knee,left_hip,left_knee"); });
   by_importer("an observation before another one", [](files& f) {
     put_in_place(f.onnx, "joint_pos_rel,joint_vel_rel", "joint_vel_rel,joint_pos_rel");
   });
   by_importer("another default pose", [](files& f) { put_in_place(f.onnx, "0.100,-0.800", "0.300,-0.800"); });
   by_importer("a default pose in degrees", [](files& f) {
-    put(f.deploy, "default_joint_pos: [0.1, -0.8, -0.1, -0.8]", "default_joint_pos: [5.73, -45.8, -5.73, -45.8]");
+    put(f.deploy, "default_joint_pos: [0.1, -0.8, -0.1, -0.8]",
+        "default_joint_pos: [5.73, -45.8, -5.73, -45.8]");
     put_in_place(f.onnx, "default_joint_pos", "default_joint_xyz");
   });
   by_importer("gains of zero, baked in", [](files& f) {
@@ -152,12 +152,13 @@ void break_all() {
     put_in_place(f.onnx, "joint_stiffness", "joint_xyzxyzxyz");
   });
   by_importer("other gains", [](files& f) { put_in_place(f.onnx, "25.000,25.000", "40.000,25.000"); });
-  by_importer("another scale of the action", [](files& f) { put_in_place(f.onnx, "0.250,0.250", "0.500,0.500"); });
-  by_importer("another offset of the action", [](files& f) { put(f.deploy, "offset: [0.1", "offset: [0.0"); });
+  by_importer("another scale of the action",
+              [](files& f) { put_in_place(f.onnx, "0.250,0.250", "0.500,0.500"); });
+  by_importer("another offset of the action",
+              [](files& f) { put(f.deploy, "offset: [0.1", "offset: [0.0"); });
   by_importer("another rate", [](files& f) { f.map = "rate = 100\n" + f.map; });
-  by_importer("another scale of an observation", [](files& f) {
-    put(f.map, "clips = ", "scale = 0.25\nclips = ");
-  });
+  by_importer("another scale of an observation",
+              [](files& f) { put(f.map, "clips = ", "scale = 0.25\nclips = "); });
   by_importer("degrees for rad", [](files& f) {
     put(f.deploy, "scale: [1.0, 1.0, 1.0, 1.0]\n    history_length: 3\n  joint_vel_rel",
         "scale: [57.3, 57.3, 57.3, 57.3]\n    history_length: 3\n  joint_vel_rel");
@@ -166,22 +167,25 @@ void break_all() {
     put(f.deploy, "clip: [-100, 100]\n    scale: [0.2, 0.2, 0.2]", "clip: [-100, 100]\n    scale: null");
   });
   by_importer("another clip", [](files& f) { put(f.map, "clips = ", "clip = [-10, 10]\nclips = "); });
-  by_importer("a clip before or after the scale", [](files& f) { put(f.map, "clips = \"before_scale\"", ""); });
-  by_importer("another length of the history", [](files& f) { put(f.map, "[history]", "[history]\nlength = 5"); });
-  by_importer("a history of one term only", [](files& f) { put(f.deploy, "history_length: 3", "history_length: 1"); });
+  by_importer("a clip before or after the scale",
+              [](files& f) { put(f.map, "clips = \"before_scale\"", ""); });
+  by_importer("another length of the history",
+              [](files& f) { put(f.map, "[history]", "[history]\nlength = 5"); });
+  by_importer("a history of one term only",
+              [](files& f) { put(f.deploy, "history_length: 3", "history_length: 1"); });
   by_importer("a history by time or by term", [](files& f) { put(f.map, "layout = \"by_term\"", ""); });
-  by_importer("a history from the oldest or from the newest", [](files& f) {
-    put(f.map, "order = \"oldest_first\"", "order = \"oldest\"");
-  });
-  by_importer("a history that begins with zeros or copies", [](files& f) { put(f.map, "start = \"repeated\"", ""); });
+  by_importer("a history from the oldest or from the newest",
+              [](files& f) { put(f.map, "order = \"oldest_first\"", "order = \"oldest\""); });
+  by_importer("a history that begins with zeros or copies",
+              [](files& f) { put(f.map, "start = \"repeated\"", ""); });
   by_importer("a quaternion of unknown order", [](files& f) { put(f.map, "quaternion = \"wxyz\"", ""); });
-  by_importer("a frame that nobody names", [](files& f) { put(f.map, "angular_velocity<trunk>", "angular_velocity"); });
+  by_importer("a frame that nobody names",
+              [](files& f) { put(f.map, "angular_velocity<trunk>", "angular_velocity"); });
   by_importer("angles relative to zero or to the default pose", [](files& f) {
     put(f.map, "is = \"joint_angles\"\nrelative_to = \"default\"", "is = \"joint_angles\"");
   });
-  by_importer("a joint that is missing", [](files& f) {
-    put(f.deploy, "joint_ids_map: [2, 3, 0, 1]", "joint_ids_map: [2, 3, 0]");
-  });
+  by_importer("a joint that is missing",
+              [](files& f) { put(f.deploy, "joint_ids_map: [2, 3, 0, 1]", "joint_ids_map: [2, 3, 0]"); });
   by_importer("a joint too many", [](files& f) {
     put(f.deploy, "joint_ids_map: [2, 3, 0, 1]", "joint_ids_map: [2, 3, 0, 1, 4]");
   });
@@ -191,17 +195,22 @@ void break_all() {
     put_in_place(f.onnx, "Div", "Abs");
   });
   by_importer("a normaliser twice", [](files& f) {
-    put(f.map, "normaliser = \"inside\"", "normaliser = \"outside\"\nmean = " + ones() + "\ndeviation = " + ones());
+    put(f.map, "normaliser = \"inside\"",
+        "normaliser = \"outside\"\nmean = " + ones() + "\ndeviation = " + ones());
   });
   by_importer("the last action raw or clipped", [](files& f) { put(f.map, "last_action = \"raw\"", ""); });
-  by_importer("a network of other dimensions", [](files& f) { put(f.map, "numbers = [\"forward\", \"turning\"]", "numbers = [\"forward\"]");
-    put(f.deploy, "scale: [1.0, 1.0]", "scale: [1.0]"); });
+  by_importer("a network of other dimensions", [](files& f) {
+    put(f.map, "numbers = [\"forward\", \"turning\"]", "numbers = [\"forward\"]");
+    put(f.deploy, "scale: [1.0, 1.0]", "scale: [1.0]");
+  });
   by_importer("an operator that is not known", [](files& f) { put_in_place(f.onnx, "Elu", "Erf"); });
   by_importer("an opset that is not known", [](files& f) {
-    put_in_place(f.onnx, std::string("\x42\x04\x0a\x00\x10\x0b", 6), std::string("\x42\x04\x0a\x00\x10\x63", 6));
+    put_in_place(f.onnx, std::string("\x42\x04\x0a\x00\x10\x0b", 6),
+                 std::string("\x42\x04\x0a\x00\x10\x63", 6));
   });
   by_importer("a file that was cut off", [](files& f) { f.onnx.resize(f.onnx.size() / 2); });
-  by_importer("a key of the map that does not exist", [](files& f) { put(f.map, "quaternion", "quarternion"); });
+  by_importer("a key of the map that does not exist",
+              [](files& f) { put(f.map, "quaternion", "quarternion"); });
 
   by_compiler<with<gyro_of_imu, walker::angles, walker::velocities>>("another frame");
   by_compiler<with<gyro, walker::velocities, walker::velocities>>("velocities for angles");
@@ -242,5 +251,16 @@ TEST_CASE("40 contracts broken in one way each are refused, and docs/policies.md
     for (const char c : r.said) said += c == '|' ? "\\|" : std::string(1, c);
     const std::string line = "| " + r.broken + " | " + r.by + " | " + said + " |\n";
     CHECK_MESSAGE(page.find(line) != std::string::npos, line);
+  }
+}
+
+TEST_CASE("docs/policies.md lists each operator and each key of a map") {
+  const std::string page = cca::detail::read_file(CCA_DOCS "/policies.md");
+  for (const auto& one : cca_policy::all_operators())
+    CHECK_MESSAGE(page.find("`" + one.first + "`") != std::string::npos, one.first);
+  for (const std::string_view key : cca_policy::map_keys) {
+    std::string named(key);
+    if (const auto star = named.find('*'); star != std::string::npos) named.replace(star, 1, "NAME");
+    CHECK_MESSAGE(page.find("`" + named + "`") != std::string::npos, named);
   }
 }

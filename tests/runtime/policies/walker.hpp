@@ -17,6 +17,7 @@ struct velocities : cca::space<cca::joint_velocities, joints> {};
 struct torques : cca::space<cca::joint_torques, joints> {};
 struct targets : cca::space<cca::joint_angles, joints, cca::rate<50>> {};
 
+// [walker]
 using observations = cca::policy_inputs<cca::in<"joint_vel_rel", velocities>,
                                         cca::in<"base_ang_vel", gyro>,
                                         cca::in<"attitude", attitude>,
@@ -25,5 +26,6 @@ using observations = cca::policy_inputs<cca::in<"joint_vel_rel", velocities>,
 
 template <class Contract>
 struct walking : cca::imported_policy<Contract, observations, targets> {};
+// [walker end]
 
 }  // namespace policies::walker

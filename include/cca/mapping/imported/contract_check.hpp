@@ -62,7 +62,8 @@ constexpr void compare_port(text& m, const char* verb) {
     if (place_in<Space>(Term::numbers[i].name) < 0) {
       m << "mapping.policy_numbers: the policy `" << Contract::name << "` " << verb << " the number "
         << Term::numbers[i].name << " of `" << Term::name << "`, and " << space_in_words<Space>()
-        << " has none of this name: numbers are matched by name, so name the axis in the map (joint.NAME.axis)";
+        << " has none of this name: numbers are matched by name, so name the axis in the map "
+           "(joint.NAME.axis)";
       return;
     }
   for (int k = 0; k < Space::size; ++k) {

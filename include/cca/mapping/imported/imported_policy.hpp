@@ -21,7 +21,7 @@
 //   unseen          output; a number is outside of the range that was seen in training
 //   stale           output; an observation is older than the contract allows
 //   waiting         status only; an input has no sample yet
-//   unreadable      status only; a number is NaN or infinite. History and memory stay as they were
+//   unreadable      status only; a number is NaN, infinite or beyond 1e12. History and memory stay as they were
 //
 // The parameter `file` names the weights. They are read on load, and refused if they belong to another
 // contract or another export. `on_start` clears history, memory and last action.
@@ -80,10 +80,12 @@ struct imported_policy<Contract, policy_inputs<In...>, To> {
     frame seen;
     if constexpr (check::holds) {
       observe(found, seen, now, typename Contract::terms{}, inputs...);
-      if (found.what < policy_status::waiting) {
+      if (found.what < policy_status::waiting && !is_usable(seen)) [[unlikely]]
+        find_unreadable(found, seen);
+      if (found.what < policy_status::waiting) [[likely]] {
         history.add(seen);
         const auto a = network::answer(weights.data(), history.numbers(), memory);
-        if (((a - a).sum() == number{0})) output = targets(a);
+        if (detail::all_finite(a)) output = targets(a);
         else found.note(policy_status::unreadable, -1);
       }
     }
@@ -158,7 +160,6 @@ private:
       if (static_cast<double>(now.time() - input.origin()) > 1e9 * Contract::oldest)
         found.note(policy_status::stale, which);
       const auto& q = input.vector();
-      if (!detail::all_finite(q)) return found.note(policy_status::unreadable, which);
       if constexpr (detail::bounds(range))
         if (q.minCoeff() < range.lower || q.maxCoeff() > range.upper)
           found.note(policy_status::unseen, which);
@@ -178,7 +179,23 @@ private:
     if constexpr (detail::clips_scaled<Term>()) x *= one.scale;
     if constexpr (detail::bounds(clip)) x = std::min(std::max(x, clip.lower), clip.upper);
     if constexpr (!detail::clips_scaled<Term>()) x *= one.scale;
-    return std::min(std::max(x, -largest_input), largest_input);
+    return x;
+  }
+
+  // Finite, and not so large that a network could become infinite.
+  static bool is_usable(const frame& seen) {
+    return detail::all_finite(seen) && seen.cwiseAbs().maxCoeff() <= static_cast<number>(largest_input);
+  }
+  [[gnu::noinline]] static void find_unreadable(doubt& found, const frame& seen) {
+    constexpr auto sizes = detail::sizes_of(typename Contract::terms{});
+    int at = 0, which = 0;
+    for (const int size : sizes) {
+      for (int i = 0; i < size; ++i)
+        if (!(std::abs(seen[at + i]) <= static_cast<number>(largest_input)))
+          found.note(policy_status::unreadable, which);
+      at += size;
+      ++which;
+    }
   }
 
   typename To::vector_type targets(const neural::numbers<number, moved>& a) {

@@ -36,8 +36,9 @@ void read_policy_weights(std::string_view text,
   lines.expect("learner", "policy " + std::string(name),
                "these are the weights of another policy; name the file that was written with this header");
   for (const std::string_view line : contract)
-    lines.expect("contract:", line,
-                 "these weights are of another contract or training; import header and weights from one export");
+    lines.expect(
+        "contract:", line,
+        "these weights are of another contract or training; import header and weights from one export");
   lines.expect("numbers", "weights " + std::to_string(into.size()), "the file has other numbers");
   std::string_view line;
   for (std::size_t i = 0; i < into.size(); ++i) {

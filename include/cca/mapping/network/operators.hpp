@@ -9,6 +9,7 @@
 //   layer_norm(x, epsilon)    (x - mean) / sqrt(variance + epsilon)
 //   length, limited, ...      norms and bounds
 //
+// If an input is NaN or infinite the output is NaN or any number; there is no status and no fault.
 // No allocation, no branch on numbers. Example: tests/runtime/policies/operators.cpp.
 #pragma once
 

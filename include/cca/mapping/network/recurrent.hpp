@@ -9,6 +9,7 @@
 //      Before:  g = tanh(Wx + R(r h) + b)        linear_before_reset = 0
 //      else:    g = tanh(Wx + b + r (R h + b'))  linear_before_reset = 1, as PyTorch has it
 //
+// If an input is NaN or infinite the output is NaN or any number; there is no status and no fault.
 // Source: Hochreiter, Schmidhuber, Long short-term memory, 1997; Gers, Schmidhuber, Cummins, Learning to
 // forget, 2000; Cho et al., Learning phrase representations using RNN encoder-decoder, 2014.
 #pragma once
