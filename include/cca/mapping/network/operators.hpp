@@ -10,7 +10,7 @@
 //   length, limited, ...      norms and bounds
 //
 // If an input is NaN or infinite the output is NaN or any number; there is no status and no fault.
-// No allocation, no branch on numbers. Example: tests/runtime/policies/operators.cpp.
+// No allocation, no branch on numbers. Example: tests/runtime/policies/networks.cpp.
 #pragma once
 
 #include <cmath>
