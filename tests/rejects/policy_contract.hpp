@@ -12,7 +12,7 @@ struct network {
   static cca::neural::numbers<Number, outputs> answer(
       const Number* w,
       const cca::neural::numbers<Number, inputs>& observed,
-      [[maybe_unused]] cca::neural::numbers<Number, network::memory>& memory) {
+      [[maybe_unused]] cca::neural::numbers<Number, memory>& kept) {
     return cca::neural::dense<2>(w, observed);
   }
 };

@@ -98,7 +98,7 @@ inline void lowering::graph_inputs() {
     if (const std::string out = memory_output(i.name); !out.empty() && i.name != options_.observations) {
       v.variable = "v" + std::to_string(++variables_);
       lines_.push_back(
-          {v.variable, "part<" + std::to_string(kept) + ", " + std::to_string(count) + ">(memory)"});
+          {v.variable, "part<" + std::to_string(kept) + ", " + std::to_string(count) + ">(kept)"});
       memory_.push_back({out, count});
       kept += count;
     } else if (options_.observations.empty() ? made_.observations.empty() : i.name == options_.observations) {
@@ -195,7 +195,7 @@ inline network lowering::run() {
         refuse("the memory `" + name + "` goes out larger or smaller than it comes in");
       text += (text.empty() ? "" : ", ") + result(name).variable;
     }
-    made_.code += "    memory = joined(" + text + ");\n";
+    made_.code += "    kept = joined(" + text + ");\n";
   }
   made_.code += "    return " + actions.variable + ";\n";
   for (const double w : weights_)

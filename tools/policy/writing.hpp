@@ -114,7 +114,7 @@ private:
            (uses_weights ? "" : "[[maybe_unused]] ") +
            "const Number* w,\n      const cca::neural::numbers<Number, inputs>& observed,\n      " +
            (n.memory > 0 ? "" : "[[maybe_unused]] ") +
-           "cca::neural::numbers<Number, network::memory>& memory) {\n    namespace neural = cca::neural;\n" +
+           "cca::neural::numbers<Number, memory>& kept) {\n    namespace neural = cca::neural;\n" +
            qualified(n.code) + "  }\n};\n\n";
   }
   static std::string range_text(const char* name, const range& r) {
