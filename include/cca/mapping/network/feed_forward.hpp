@@ -32,6 +32,7 @@
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/component/input_status.hpp>
+#include <cca/mapping/network/weighted_sums.hpp>
 
 namespace cca {
 
@@ -76,39 +77,12 @@ inline constexpr int weights_of_layers = [] {
   return count;
 }();
 
-// The weighted sums of a layer. Some rows at a time, whose sums stay in registers through all columns:
-// Eigen's product of a matrix and a vector loads and stores them again for every few columns, and takes
-// some 15 % more instructions.
-template <int From, int To>
-struct weighted_sums {
-  static constexpr int wide = 16;
-  using output = Eigen::Matrix<double, To, 1>;
-
-  template <class Vector>
-  [[gnu::always_inline]] static output of(const double* weights, const Vector& x) {
-    output y;
-    int row = 0;
-    for (; row + wide <= To; row += wide) rows<wide>(weights, row, x, y);
-    if constexpr (To % wide != 0) rows<To % wide>(weights, row, x, y);
-    return y;
-  }
-
-private:
-  template <int Count, class Vector>
-  [[gnu::always_inline]] static void rows(const double* weights, int row, const Vector& x, output& y) {
-    using part = Eigen::Map<const Eigen::Matrix<double, Count, 1>>;
-    Eigen::Matrix<double, Count, 1> sums = part(weights + To * From + row);
-    for (int j = 0; j < From; ++j) sums += x[j] * part(weights + To * j + row);
-    y.template segment<Count>(row) = sums;
-  }
-};
-
 // Layers from the one with `From` inputs on.
 template <class Activation, int From, int To, int... Rest>
 struct layers {
   template <class Vector>
   [[gnu::always_inline]] static auto answer(const double* weights, const Vector& x) {
-    auto y = weighted_sums<From, To>::of(weights, x);
+    auto y = weighted_sums<double, From, To>::of(weights, x);
     if constexpr (sizeof...(Rest) == 0) {
       return y;
     } else {
