@@ -142,8 +142,14 @@ private:
       to_.add("observations.clips", {{}, {"after_scale"}, s.where, 0});
     }
     statement lower, upper;
-    if (numbers(root["clip_actions_lower"], lower) && numbers(root["clip_actions_upper"], upper))
+    if (numbers(root["clip_actions_lower"], lower) && numbers(root["clip_actions_upper"], upper)) {
+      for (const statement* s : {&lower, &upper})
+        for (const double number : s->numbers)
+          if (number != s->numbers[0])
+            return wrong_.add(s->where +
+                              ": clip_actions differs from joint to joint, which is not possible here");
       to_.add("action.clip", {{lower.numbers[0], upper.numbers[0]}, {}, lower.where, 0});
+    }
     statement step, decimation;
     if (numbers(root["dt"], step) && numbers(root["decimation"], decimation) &&
         step.numbers[0] * decimation.numbers[0] > 0)

@@ -57,6 +57,7 @@ struct door_server::inside {
                       ". Is another program there? Port 0 takes any that is free");
     };
     acceptor.open(end.protocol(), wrong), check();
+    door_network::keep_from_children(acceptor.native_handle());
     acceptor.set_option(boost::asio::socket_base::reuse_address(true), wrong), check();
     acceptor.bind(end, wrong), check();
     acceptor.listen(1024, wrong), check();
@@ -124,6 +125,7 @@ struct door_server::inside {
 
   void begin(tcp::socket socket) {
     error ignored;
+    door_network::keep_from_children(socket.native_handle());
     static_cast<void>(socket.non_blocking(true, ignored));
     static_cast<void>(socket.set_option(tcp::no_delay(true), ignored));
     const auto c = all.emplace_back(
@@ -311,10 +313,12 @@ CCA_DOOR_INLINE door_server::door_server(const door_settings& settings,
                                          const door_limits& limits)
     : in(std::make_unique<inside>(settings, controls, limits)) {
   if (!settings.tells_where) return;
-  std::printf("door: ws://%s, token %s\n", door_network::text_of(in->acceptor.local_endpoint()).c_str(),
-              settings.token_file.empty() ? in->token.c_str() : ("in " + settings.token_file).c_str());
-  if (!in->page.empty())
-    std::printf("door: http://%s/\n", door_network::text_of(in->acceptor.local_endpoint()).c_str());
+  const std::string where = door_network::text_of(in->acceptor.local_endpoint());
+  const bool is_in_file = !settings.token_file.empty();
+  std::printf("door: ws://%s, token %s\n", where.c_str(),
+              is_in_file ? ("in " + settings.token_file).c_str() : in->token.c_str());
+  if (!in->page.empty())  // what stands behind # stays in the browser
+    std::printf("door: http://%s/%s\n", where.c_str(), is_in_file ? "" : ("#token=" + in->token).c_str());
   std::fflush(stdout);
 }
 CCA_DOOR_INLINE door_server::~door_server() = default;

@@ -1,6 +1,8 @@
 // A socket of a door, from its greeting to its end; and the page that it may be served.
 #pragma once
 
+#include <fcntl.h>
+
 #include <utility>
 
 #include <boost/asio/ip/tcp.hpp>
@@ -16,6 +18,9 @@
 #include <cca/door/network/frames_functions.hpp>
 
 namespace cca::detail::door_network {
+
+// A program that this one starts must not keep the port, or a client, when this one has ended.
+inline void keep_from_children(int file) { static_cast<void>(::fcntl(file, F_SETFD, FD_CLOEXEC)); }
 
 namespace asio = boost::asio;
 using tcp = asio::ip::tcp;
