@@ -78,7 +78,7 @@ struct rig {
   void beside(F f) {
     std::thread window([&] {
       f();
-      live.end_run();
+      CHECK(controls.begin({.about = what::end_run}).is == how::done);
     });
     const auto between = [this](Controller& running) {
       if (!controls.is_wanted(controls.the_run)) return true;
