@@ -126,8 +126,8 @@ struct door_server::inside {
   void begin(tcp::socket socket) {
     error ignored;
     door_network::keep_from_children(socket.native_handle());
-    static_cast<void>(socket.non_blocking(true, ignored));
-    static_cast<void>(socket.set_option(tcp::no_delay(true), ignored));
+    ignored = socket.non_blocking(true, ignored);
+    ignored = socket.set_option(tcp::no_delay(true), ignored);
     const auto c = all.emplace_back(
         std::make_shared<connection>(std::move(socket), limits.message, now() + limits.greeting_time));
     read(c);
@@ -171,7 +171,7 @@ struct door_server::inside {
   }
   void enter(const shared& c, const door_network::greeting& hello, const tcp::endpoint& there) {
     error ignored;
-    static_cast<void>(c->socket.set_option(boost::asio::socket_base::send_buffer_size(1 << 18), ignored));
+    ignored = c->socket.set_option(boost::asio::socket_base::send_buffer_size(1 << 18), ignored);
     ++greeted;
     c->client = &hub->enter(door_network::text_of(there), hello, now());
     const std::string rest = c->greeting.substr(hello.used);
@@ -222,7 +222,7 @@ struct door_server::inside {
       if (c->ends_after_write) {
         // It reads until the other side has closed, or a moment: else the last words could be lost.
         error ignored;
-        static_cast<void>(c->socket.shutdown(tcp::socket::shutdown_send, ignored));
+        ignored = c->socket.shutdown(tcp::socket::shutdown_send, ignored);
         c->deadline = std::min(c->deadline, now() + std::chrono::seconds(1));
         return;
       }
@@ -233,7 +233,7 @@ struct door_server::inside {
     if (!c->is_open) return;
     c->is_open = false;
     error ignored;
-    static_cast<void>(c->socket.close(ignored));
+    ignored = c->socket.close(ignored);
     all.remove(c);
     if (!c->client || is_ending) return;
     --greeted;
@@ -286,7 +286,7 @@ struct door_server::inside {
   void end_all() {
     is_ending = true;
     error ignored;
-    static_cast<void>(acceptor.close(ignored));
+    ignored = acceptor.close(ignored);
     regular.cancel(), soon.cancel();
     for (const shared& c : all)
       if (c->client) c->client->close(door_network::going_away, "the program ends");
@@ -302,7 +302,7 @@ struct door_server::inside {
     for (const shared& c : all) {
       error ignored;
       c->is_open = false;
-      static_cast<void>(c->socket.close(ignored));
+      ignored = c->socket.close(ignored);
     }
     all.clear();
   }
