@@ -86,7 +86,7 @@ struct client::inside {
     stream.read_message_max(most_bytes);
     stream.set_option(websocket::stream_base::decorator([this](websocket::request_type& request) {
       request.set(beast::http::field::sec_websocket_protocol,
-                  "foxglove.websocket.v1" + (token.empty() ? "" : ", cca.token." + token));
+                  "foxglove.websocket.v1, cca.v1" + (token.empty() ? "" : ", cca.token." + token));
       request.set(beast::http::field::user_agent, "cca");
     }));
     stream.async_handshake(response, named.text(), "/", [this](error_code wrong) { greeted(wrong); });

@@ -37,9 +37,9 @@ private:
   template <int Count, class Vector>
   [[gnu::always_inline]] static void rows(
       const Number* weights, const Number* start, int row, const Vector& x, output& y) {
-    constexpr int lanes = 16 / static_cast<int>(sizeof(Number));
-    if constexpr (Count % lanes == 0) {
-      packs<lanes>(std::make_index_sequence<Count / lanes>{}, weights, start, row, x, y);
+    constexpr int in_a_pack = 16 / static_cast<int>(sizeof(Number));
+    if constexpr (Count % in_a_pack == 0) {
+      packs<in_a_pack>(std::make_index_sequence<Count / in_a_pack>{}, weights, start, row, x, y);
     } else {
       using part = Eigen::Map<const Eigen::Matrix<Number, Count, 1>>;
       Eigen::Matrix<Number, Count, 1> sums = part(start + row);

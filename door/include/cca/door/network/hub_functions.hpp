@@ -38,7 +38,7 @@ inline hub::hub(const door_settings& given,
 inline door_client& hub::enter(const std::string& name, const greeting& hello, time_point now) {
   door_client& c = clients.emplace_back(++last_id, name, limits);
   c.needs_token = guards_reading;
-  c.knows_cca = hello.has_token;
+  c.knows_cca = hello.knows_cca;
   c.last_sign = c.entered = now;
   c.say(server_info(controls.description().program, session));
   const bool by_key = !hello.once.empty() && keys.take(hello.once);
