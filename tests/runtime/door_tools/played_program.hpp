@@ -91,7 +91,7 @@ public:
       if (id <= 2) to.add(0.5);
       door.sink().message(id, static_cast<std::uint64_t>(now), static_cast<std::uint64_t>(now), to.view());
     }
-    door.sink().flush();
+    door.sink().hand_over();
   }
 
 private:
