@@ -181,9 +181,9 @@ struct door_server::inside {
   }
 
   void hear(const shared& c, std::string_view bytes) {
-    using kind = door_network::frame_kind;
+    using frame = door_network::frame_kind;
     const auto wrong = c->frames.read(bytes, [&](kind what, std::string_view payload) {
-      if (what == kind::close) return c->client->close(door_network::normal, "goodbye"), true;
+      if (what == frame::close) return c->client->close(door_network::normal, "goodbye"), true;
       hub->message(*c->client, what, payload, now());
       return true;
     });

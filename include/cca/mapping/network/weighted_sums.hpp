@@ -39,7 +39,8 @@ private:
       const Number* weights, const Number* start, int row, const Vector& x, output& y) {
     constexpr int in_a_pack = 16 / static_cast<int>(sizeof(Number));
     if constexpr (Count % in_a_pack == 0) {
-      packs<in_a_pack>(std::make_index_sequence<Count / in_a_pack>{}, weights, start, row, x, y);
+      packs<in_a_pack>(std::make_index_sequence<static_cast<std::size_t>(Count / in_a_pack)>{}, weights,
+                       start, row, x, y);
     } else {
       using part = Eigen::Map<const Eigen::Matrix<Number, Count, 1>>;
       Eigen::Matrix<Number, Count, 1> sums = part(start + row);
