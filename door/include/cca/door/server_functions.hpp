@@ -182,7 +182,7 @@ struct door_server::inside {
 
   void hear(const shared& c, std::string_view bytes) {
     using frame = door_network::frame_kind;
-    const auto wrong = c->frames.read(bytes, [&](kind what, std::string_view payload) {
+    const auto wrong = c->frames.read(bytes, [&](frame what, std::string_view payload) {
       if (what == frame::close) return c->client->close(door_network::normal, "goodbye"), true;
       hub->message(*c->client, what, payload, now());
       return true;
