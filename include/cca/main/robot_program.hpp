@@ -43,6 +43,8 @@ public:
   using controller_type =
       std::conditional_t<AnyDeployment<Architecture>, deployed<Architecture>, controller<Architecture>>;
 
+  static_assert(sizeof(controller_type) != 0);  // what breaks a rule says so here, before all else
+
   std::string purpose = "runs " + std::string(detail::type_name<Architecture>());  // the first line of --help
   run_settings settings{};
 
