@@ -1,6 +1,6 @@
-// A door without its network: a greeting is refused, unfinished or right; messages of clients with and
-// without the token never change what they may not, and what the controller is asked for is within its
-// ranges. What goes back are whole frames, and JSON.
+// A door without its network: a greeting is refused, unfinished or right. A client without the token changes
+// nothing. With the token, the values that reach the controller are within their ranges. The answers are
+// whole frames, and JSON.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>

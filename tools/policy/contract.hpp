@@ -108,7 +108,7 @@ private:
     wrong_.add(s->where + ": `" + key + "` is one text");
     return nullptr;
   }
-  // One of some words; the first one if none is said and nothing is asked for.
+  // One of some words. Where the files say none: the first one if `what` is empty, else an error that asks.
   std::string choice(const std::string& key, const std::vector<std::string>& of, const std::string& what) {
     const std::string* said = text(key, what);
     if (!said) return of[0];

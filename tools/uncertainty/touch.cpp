@@ -1,5 +1,5 @@
 // How much uncertainty the arm that is guided, wipes and yields bears (sweep.hpp): its own bounds judge it.
-// The Open Dynamics Engine only: compiled physics has no table.
+// It runs on the Open Dynamics Engine only.
 //
 //   uncertainty_touch --seeds 4
 #include <cca/cca.hpp>

@@ -1,4 +1,4 @@
-// What of the model the terminal shows: a page, what is chosen there, and what is being typed.
+// The part of the model that the terminal shows: a page, its selection, and the text that is being typed.
 #pragma once
 
 #include <algorithm>

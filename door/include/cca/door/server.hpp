@@ -1,5 +1,5 @@
 // The network side of a door: a WebSocket server of the Foxglove protocol in a thread of its own. It knows no
-// graph: what it shows comes through a message_sink, what it asks goes through door_controls.
+// graph: a message_sink brings what it shows, and its requests go through door_controls.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// One client of a door: what it may, what it has subscribed to, and what waits for it.
+// One client of a door: its rights, its subscriptions, and the messages that wait for it.
 #pragma once
 
 #include <algorithm>
