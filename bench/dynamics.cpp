@@ -35,6 +35,7 @@ KDL::Chain with_flange(KDL::Chain chain) {
 }
 
 struct by_kdl {
+  static constexpr const char* name = "KDL";
   KDL::Chain chain = kdl_arm();
   KDL::ChainDynParam parameters{chain, KDL::Vector(0, 0, -9.81)};
   KDL::ChainIdSolver_RNE inverse{chain, KDL::Vector(0, 0, -9.81)};
@@ -52,7 +53,7 @@ struct by_kdl {
 struct mass_matrix {
   static constexpr const char* name = "mass matrix";
   static Eigen::Matrix<double, 7, 7> cca(const state& s) { return cca::mass_matrix(pose(s.q)); }
-  static Eigen::Matrix<double, 7, 7> kdl(by_kdl& k) {
+  static Eigen::Matrix<double, 7, 7> other(by_kdl& k) {
     k.parameters.JntToMass(k.q, k.mass);
     return k.mass.data;
   }
@@ -60,7 +61,7 @@ struct mass_matrix {
 struct coriolis {
   static constexpr const char* name = "Coriolis torques";
   static vector cca(const state& s) { return cca::coriolis_torques(pose(s.q), s.dq); }
-  static vector kdl(by_kdl& k) {
+  static vector other(by_kdl& k) {
     k.parameters.JntToCoriolis(k.q, k.dq, k.result);
     return k.result.data;
   }
@@ -68,7 +69,7 @@ struct coriolis {
 struct gravity {
   static constexpr const char* name = "gravity torques";
   static vector cca(const state& s) { return cca::gravity_torques(pose(s.q)); }
-  static vector kdl(by_kdl& k) {
+  static vector other(by_kdl& k) {
     k.parameters.JntToGravity(k.q, k.result);
     return k.result.data;
   }
@@ -76,7 +77,7 @@ struct gravity {
 struct inverse {
   static constexpr const char* name = "inverse dynamics";
   static vector cca(const state& s) { return cca::inverse_dynamics(pose(s.q), s.dq, s.input).torques; }
-  static vector kdl(by_kdl& k) {
+  static vector other(by_kdl& k) {
     k.inverse.CartToJnt(k.q, k.dq, k.input, k.none, k.result);
     return k.result.data;
   }
@@ -84,7 +85,7 @@ struct inverse {
 struct forward {
   static constexpr const char* name = "forward dynamics";
   static vector cca(const state& s) { return cca::forward_dynamics(pose(s.q), s.dq, s.input); }
-  static vector kdl(by_kdl& k) {
+  static vector other(by_kdl& k) {
     k.forward.CartToJnt(k.q, k.dq, k.input, k.none, k.result);
     return k.result.data;
   }
@@ -92,7 +93,7 @@ struct forward {
 struct jacobian {
   static constexpr const char* name = "Jacobian";
   static Eigen::Matrix<double, 6, 7> cca(const state& s) { return pose(s.q).jacobian<"arm">(); }
-  static Eigen::Matrix<double, 6, 7> kdl(by_kdl& k) {
+  static Eigen::Matrix<double, 6, 7> other(by_kdl& k) {
     k.jacobians.JntToJac(k.q, k.jacobian);
     Eigen::Matrix<double, 6, 7> j;
     j << k.jacobian.data.bottomRows<3>(), k.jacobian.data.topRows<3>();
@@ -100,50 +101,10 @@ struct jacobian {
   }
 };
 
-template <class Quantity>
-[[gnu::noinline]] auto once_kdl(by_kdl& k) {
-  return Quantity::kdl(k);
-}
-
-struct beside_kdl {
-  static state next(int round) {
-    state s;
-    spread(s, round);
-    return s;
-  }
-  template <class Quantity>
-  static bool check() {
-    by_kdl k;
-    for (int i = 0; i < 100; ++i) {
-      const state s = next(i);
-      k.take(s);
-      const auto ours = once_cca<Quantity>(s), theirs = once_kdl<Quantity>(k);
-      if ((ours - theirs).norm() < 1e-9 * (1 + theirs.norm())) continue;
-      std::fprintf(stderr, "%s differs from KDL by %g\n", Quantity::name, (ours - theirs).norm());
-      return false;
-    }
-    return true;
-  }
-  template <class Quantity>
-  static double sum(std::string_view way, int rounds) {
-    by_kdl k;
-    double sum = 0;
-    for (int i = 0; i < rounds; ++i) {
-      const state s = next(i);
-      if (way == "cca") {
-        sum += once_cca<Quantity>(s).sum();
-      } else {
-        k.take(s);
-        sum += once_kdl<Quantity>(k).sum();
-      }
-    }
-    return sum;
-  }
-};
-
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  return bench::program<bench::beside_kdl, bench::mass_matrix, bench::coriolis, bench::gravity,
-                        bench::inverse, bench::forward, bench::jacobian>(argc, argv);
+  return bench::program<bench::beside_another<bench::state, bench::by_kdl>, bench::mass_matrix,
+                        bench::coriolis, bench::gravity, bench::inverse, bench::forward, bench::jacobian>(
+      argc, argv);
 }

@@ -50,6 +50,7 @@ pinocchio::Model pinocchio_arm() {
 }
 
 struct by_pinocchio {
+  static constexpr const char* name = "Pinocchio";
   pinocchio::Model model = pinocchio_arm();
   pinocchio::Data data{model};
   Eigen::VectorXd q = Eigen::VectorXd::Zero(7), dq = q, input = q;
@@ -60,7 +61,7 @@ struct by_pinocchio {
 struct mass_matrix {
   static constexpr const char* name = "mass matrix";
   static Eigen::Matrix<double, 7, 7> cca(const state& s) { return cca::mass_matrix(pose(s.q)); }
-  static Eigen::Matrix<double, 7, 7> pinocchio(by_pinocchio& p) {
+  static Eigen::Matrix<double, 7, 7> other(by_pinocchio& p) {
     ::pinocchio::crba(p.model, p.data, p.q, ::pinocchio::Convention::WORLD);
     return p.data.M.selfadjointView<Eigen::Upper>();
   }
@@ -68,67 +69,26 @@ struct mass_matrix {
 struct gravity {
   static constexpr const char* name = "gravity torques";
   static vector cca(const state& s) { return cca::gravity_torques(pose(s.q)); }
-  static vector pinocchio(by_pinocchio& p) {
+  static vector other(by_pinocchio& p) {
     return ::pinocchio::computeGeneralizedGravity(p.model, p.data, p.q);
   }
 };
 struct inverse {
   static constexpr const char* name = "inverse dynamics";
   static vector cca(const state& s) { return cca::inverse_dynamics(pose(s.q), s.dq, s.input).torques; }
-  static vector pinocchio(by_pinocchio& p) { return ::pinocchio::rnea(p.model, p.data, p.q, p.dq, p.input); }
+  static vector other(by_pinocchio& p) { return ::pinocchio::rnea(p.model, p.data, p.q, p.dq, p.input); }
 };
 struct forward {
   static constexpr const char* name = "forward dynamics";
   static vector cca(const state& s) { return cca::forward_dynamics(pose(s.q), s.dq, s.input); }
-  static vector pinocchio(by_pinocchio& p) {
+  static vector other(by_pinocchio& p) {
     return ::pinocchio::aba(p.model, p.data, p.q, p.dq, p.input, ::pinocchio::Convention::LOCAL);
-  }
-};
-
-template <class Quantity>
-[[gnu::noinline]] auto once_pinocchio(by_pinocchio& p) {
-  return Quantity::pinocchio(p);
-}
-
-struct beside_pinocchio {
-  static state next(int round) {
-    state s;
-    spread(s, round);
-    return s;
-  }
-  template <class Quantity>
-  static bool check() {
-    by_pinocchio p;
-    for (int i = 0; i < 100; ++i) {
-      const state s = next(i);
-      p.take(s);
-      const auto ours = once_cca<Quantity>(s), theirs = once_pinocchio<Quantity>(p);
-      if ((ours - theirs).norm() < 1e-9 * (1 + theirs.norm())) continue;
-      std::fprintf(stderr, "%s differs from Pinocchio by %g\n", Quantity::name, (ours - theirs).norm());
-      return false;
-    }
-    return true;
-  }
-  template <class Quantity>
-  static double sum(std::string_view way, int rounds) {
-    by_pinocchio p;
-    double sum = 0;
-    for (int i = 0; i < rounds; ++i) {
-      const state s = next(i);
-      if (way == "cca") {
-        sum += once_cca<Quantity>(s).sum();
-      } else {
-        p.take(s);
-        sum += once_pinocchio<Quantity>(p).sum();
-      }
-    }
-    return sum;
   }
 };
 
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  return bench::program<bench::beside_pinocchio, bench::mass_matrix, bench::gravity, bench::inverse,
-                        bench::forward>(argc, argv);
+  return bench::program<bench::beside_another<bench::state, bench::by_pinocchio>, bench::mass_matrix,
+                        bench::gravity, bench::inverse, bench::forward>(argc, argv);
 }

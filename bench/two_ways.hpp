@@ -64,6 +64,51 @@ struct beside_loops : States {
   }
 };
 
+// A call of the other library, of which `Library` is: it takes a state, and a quantity computes by it.
+template <class Quantity, class Library>
+[[gnu::noinline]] auto once_other(Library& l) {
+  return Quantity::other(l);
+}
+
+// The library beside another one.
+template <class State, class Library>
+struct beside_another {
+  static State next(int round) {
+    State s;
+    spread(s, round);
+    return s;
+  }
+  template <class Quantity>
+  static bool check() {
+    Library other;
+    for (int i = 0; i < 100; ++i) {
+      const State s = next(i);
+      other.take(s);
+      const auto ours = once_cca<Quantity>(s), theirs = once_other<Quantity>(other);
+      if ((ours - theirs).norm() < 1e-9 * (1 + theirs.norm())) continue;
+      std::fprintf(stderr, "%s differs from %s by %g\n", Quantity::name, Library::name,
+                   (ours - theirs).norm());
+      return false;
+    }
+    return true;
+  }
+  template <class Quantity>
+  static double sum(std::string_view way, int rounds) {
+    Library other;
+    double sum = 0;
+    for (int i = 0; i < rounds; ++i) {
+      const State s = next(i);
+      if (way == "cca") {
+        sum += once_cca<Quantity>(s).sum();
+      } else {
+        other.take(s);
+        sum += once_other<Quantity>(other).sum();
+      }
+    }
+    return sum;
+  }
+};
+
 // `Ways::next(round)`: the state of a round. `Ways::check<Quantity>()`: whether both ways agree.
 // `Ways::sum<Quantity>(way, rounds)`: of all numbers of so many rounds.
 template <class Ways, class... Quantities>

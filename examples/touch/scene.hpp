@@ -57,11 +57,12 @@ public:
     return room;
   }
 
-  // The arm in that room, in either engine.
+  // The arm in a room, in either engine.
   template <class World>
-  static World arm_in_room() {
-    if constexpr (std::is_constructible_v<World, const cca::sim::scene&>) return World(room());
-    else return World(cca::sim::model_of<arm::description>(), room());
+  static World arm_in_room(const cca::sim::scene& room = scene::room(),
+                           const cca::sim::robot_world_settings& settings = {}) {
+    if constexpr (std::is_constructible_v<World, const cca::sim::scene&>) return World(room, settings);
+    else return World(cca::sim::model_of<arm::description>(), room, settings);
   }
 
   // Before a beat; `in_step`: s since the step began.

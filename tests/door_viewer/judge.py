@@ -5,27 +5,17 @@ usage: judge.py FOLDER for node_modules cca_door_server
 """
 import pathlib
 import secrets
-import shutil
 import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-
-
-def install(folder):
-    for program in ("node", "npm"):
-        if not shutil.which(program):
-            sys.exit(f"{program} is missing: this test uses @foxglove/ws-protocol; ./bootstrap installs it")
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in ("package.json", "package-lock.json"):
-        shutil.copy(HERE / name, folder)
-    if not (folder / "node_modules/@foxglove/ws-protocol").is_dir():
-        subprocess.run(["npm", "ci", "--no-audit", "--no-fund", "--ignore-scripts"], cwd=folder, check=True)
+sys.path.insert(0, str(HERE.parent / "scripts"))
+import npm_packages
 
 
 def main():
     folder, program = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    install(folder)
+    npm_packages.install(HERE, folder, "@foxglove/ws-protocol")
     token = secrets.token_hex(16)
     server = subprocess.Popen([program, "0", token, "10", "1000"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     try:

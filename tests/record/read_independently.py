@@ -6,24 +6,14 @@ usage: read_independently.py FOLDER for node_modules PROGRAM arguments...     (t
 import json
 import pathlib
 import random
-import shutil
 import subprocess
 import sys
 
 import shown_body
 
 HERE = pathlib.Path(__file__).resolve().parent
-
-
-def install(folder):
-    for program in ("node", "npm"):
-        if not shutil.which(program):
-            sys.exit(f"{program} is missing: this test reads recordings with @mcap/core; ./bootstrap installs it")
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in ("package.json", "package-lock.json"):
-        shutil.copy(HERE / name, folder)
-    if not (folder / "node_modules/@mcap/core").is_dir():
-        subprocess.run(["npm", "ci", "--no-audit", "--no-fund", "--ignore-scripts"], cwd=folder, check=True)
+sys.path.insert(0, str(HERE.parent / "scripts"))
+import npm_packages
 
 
 def read(folder, file):
@@ -33,7 +23,7 @@ def read(folder, file):
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    install(folder)
+    npm_packages.install(HERE, folder, "@mcap/core")
     file = folder / "trot.mcap"
     subprocess.run([*sys.argv[2:], "--record", str(file)], check=True)
     indexed, streamed = read(folder, file)

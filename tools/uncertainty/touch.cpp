@@ -1,9 +1,9 @@
 // How much uncertainty the arm that is guided, wipes and yields bears (sweep.hpp): its own bounds judge it.
-// It runs on the Open Dynamics Engine only.
 //
-//   uncertainty_touch --seeds 4
+//   uncertainty_touch --seeds 4 --engine compiled
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/sim/compiled/robot.hpp>
 #include <cca/sim/uncertain/uncertain_robot.hpp>
 
 #include "../../examples/touch/rollout.hpp"
@@ -12,27 +12,30 @@
 
 namespace {
 
-struct arm : touch::architecture<cca::sim::robot<cca::robots::arm::description, cca::sim::uncertain<>>> {};
+template <class World>
+struct arm : touch::architecture<cca::sim::robot<cca::robots::arm::description, cca::sim::uncertain<World>>> {
+};
 
 // In the room of the example, but with links and friction as drawn.
 struct uncertain_place : touch::in_simulator {
   const uncertain::uncertainty& of;
 
-  template <class Controller>
-  void put_down(Controller& c, cca::sim::robot_world&& ideal) const {
-    cca::sim::scene room = ideal.around();
+  template <class Controller, class World>
+  void put_down(Controller& c, const World&) const {
+    cca::sim::scene room = touch::scene::room();
     room.contact.friction = uncertain::ground_under(of, room.contact.friction).friction();
     c.template get<"robot.simulator">().put_down(
-        cca::sim::robot_world(ideal.model(), room, cca::sim::drawn_settings(of)));
+        touch::scene::arm_in_room<World>(room, cca::sim::drawn_settings(of)));
   }
 };
 
+template <class World>
 int run(const uncertain::options& o) {
-  cca::controller<arm> start;
+  cca::controller<arm<World>> start;
   start.load();
   return uncertain::sweep(o, [&](const uncertain::uncertainty& u, std::uint64_t seed) {
-    const auto c = std::make_unique<cca::controller<arm>>(start);
-    c->set<"robot.simulator">(u);
+    const auto c = std::make_unique<cca::controller<arm<World>>>(start);
+    c->template set<"robot.simulator">(u);
     const touch::result r =
         touch::roll_out(*c, seed, [](const auto&, int) { return true; }, uncertain_place{{}, u});
     return uncertain::verdict{r.recovered(), touch::within(r)};
@@ -43,13 +46,9 @@ int run(const uncertain::options& o) {
 
 int main(int count, char** words) {
   uncertain::options o;
-  o.engine = trot::engine::ode;
   cca::command_line line("how much uncertainty of each kind an arm bears that feels, on all cores");
   o.offer(line);
   return cca::run_program(count, words, line, [&] {
-    if (o.engine != trot::engine::ode)
-      throw cca::command_line_error(
-          "--engine compiled: compiled physics has no table; leave out this option");
-    return run(o);
+    return o.engine == trot::engine::compiled ? run<cca::sim::compiled>(o) : run<cca::sim::robot_world>(o);
   });
 }

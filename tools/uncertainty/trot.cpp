@@ -11,7 +11,7 @@
 
 #include "../../examples/trot/report/bounds.hpp"
 #include "../../examples/trot/rollout.hpp"
-#include "sweep.hpp"
+#include "on_drawn_ground.hpp"
 
 namespace {
 
@@ -26,17 +26,12 @@ int run(const uncertain::options& o, const std::string& config) {
   if (config.empty()) start.load();
   else start.load(config);
   const double commanded = start.template get<"gait">().p.duty;
-  return uncertain::sweep(o, [&](const uncertain::uncertainty& u, std::uint64_t seed) {
-    auto c = start;
-    c.template set<"robot.simulator">(u);
-    auto disturbance = cca::sim::disturbance::from_seed(seed, o.seconds);
-    const auto ground = uncertain::ground_under(u, disturbance.friction);
-    disturbance.friction = ground.friction();
-    const auto figures = trot::evaluate(
-        trot::roll_out(c, ground, disturbance, o.seconds, [] { return true; }, cca::sim::drawn_settings(u)));
-    const bool goes_on = !figures.fell && figures.cruise >= 0.5 * trot::bounds().least_cruise;
-    return uncertain::verdict{goes_on, trot::keeps(figures, commanded)};
-  });
+  const auto rolled = [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
+    return trot::evaluate(trot::roll_out(c, ground, disturbance, o.seconds, [] { return true; }, settings));
+  };
+  return uncertain::sweep(
+      o, uncertain::on_drawn_ground(o, start, 0.5 * trot::bounds().least_cruise, rolled,
+                                    [&](const auto& figures) { return trot::keeps(figures, commanded); }));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 #include "../../examples/walking_policy/rollout.hpp"
 #include "../../examples/walking_policy/worth.hpp"
-#include "sweep.hpp"
+#include "on_drawn_ground.hpp"
 
 namespace {
 
@@ -26,17 +26,13 @@ int run(const uncertain::options& o, const std::string& weights) {
   walking::name_weights(start, weights);
   start.load();
   const double commanded = start.template get<"gait.throttle">().p.speed;
-  return uncertain::sweep(o, [&](const uncertain::uncertainty& u, std::uint64_t seed) {
-    auto c = start;
-    c.template set<"robot.simulator">(u);
-    auto disturbance = cca::sim::disturbance::from_seed(seed, o.seconds);
-    const auto ground = uncertain::ground_under(u, disturbance.friction);
-    disturbance.friction = ground.friction();
-    const auto figures = trot::evaluate(walking::roll_out(
-        c, ground, disturbance, o.seconds, [] { return true; }, cca::sim::drawn_settings(u)));
-    const bool goes_on = !figures.fell && figures.cruise >= 0.5 * commanded;
-    return uncertain::verdict{goes_on, walking::walks(figures, commanded)};
-  });
+  const auto rolled = [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
+    return trot::evaluate(
+        walking::roll_out(c, ground, disturbance, o.seconds, [] { return true; }, settings));
+  };
+  return uncertain::sweep(
+      o, uncertain::on_drawn_ground(o, start, 0.5 * commanded, rolled,
+                                    [&](const auto& figures) { return walking::walks(figures, commanded); }));
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+// The judge of a quadruped that sweep.hpp asks.
+#include <cstdint>
+
+#include <cca/sim/oncilla/disturbance.hpp>
+
+#include "sweep.hpp"
+
+namespace uncertain {
+
+// `start` with what is uncertain, on the ground of a disturbance, both drawn from
+// the seed. rolled(controller, ground, disturbance, settings of the world) are the figures of its run; it
+// goes on if it has not fallen and cruises at `least`, m/s; is_good(figures).
+template <class Controller, class Rolled, class Good>
+auto on_drawn_ground(const options& o, const Controller& start, double least, Rolled rolled, Good is_good) {
+  return [&o, &start, least, rolled, is_good](const uncertainty& u, std::uint64_t seed) {
+    Controller c = start;
+    c.template set<"robot.simulator">(u);
+    auto disturbance = cca::sim::disturbance::from_seed(seed, o.seconds);
+    const auto ground = ground_under(u, disturbance.friction);
+    disturbance.friction = ground.friction();
+    const auto figures = rolled(c, ground, disturbance, cca::sim::drawn_settings(u));
+    return verdict{!figures.fell && figures.cruise >= least, is_good(figures)};
+  };
+}
+
+}  // namespace uncertain
