@@ -18,7 +18,7 @@ namespace cca_policy {
 
 class message {
 public:
-  explicit message(std::string_view bytes) : rest_(bytes) {}
+  explicit message(std::string_view all) : rest_(all) {}
 
   // The next field; false: no more. Groups, which protobuf 3 does not have, are refused.
   bool next() {
