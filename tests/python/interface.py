@@ -343,6 +343,8 @@ class Weights(unittest.TestCase):
             numpy.testing.assert_array_equal(matrix, a)
             numpy.testing.assert_array_equal(bias, b)
         self.assertEqual([back[k].tolist() for k in ("centre", "scale", "offset", "gain")], [[0, 0], [2, 3], [0.1], [1]])
+        env.save_policy(pathlib.Path(self.file), self.layers)
+        numpy.testing.assert_array_equal(env.load_policy(pathlib.Path(self.file))["layers"][1][1], [9.0])
         self.assertIn("number 0, joint, rad from -3 to 3", pathlib.Path(self.file).read_text())
 
     def test_mistakes(self):

@@ -133,7 +133,8 @@ private:
       if (!what.empty()) missing(key, what);
       return std::vector<double>(count, 0);
     }
-    if (s->numbers.size() == count && count > 0) return s->numbers;
+    if (count == 0) return {};  // the names of the joints or numbers are missing, which is another complaint
+    if (s->numbers.size() == count) return s->numbers;
     if (s->numbers.size() == 1) return std::vector<double>(count, s->numbers[0]);
     wrong_.add(s->where + ": `" + key + "` has " + std::to_string(s->numbers.size()) + " numbers, expected " +
                std::to_string(count));
@@ -186,7 +187,7 @@ private:
     for (const std::string& j : c.joints)
       if (!once.insert(j).second) wrong_.add("`joints` names " + j + " twice");
     for (const auto& [key, all] : said_.all())
-      if (key.starts_with("joint.") && !once.contains(parts_of(key, '.')[1]))
+      if (key.starts_with("joint.") && !once.empty() && !once.contains(parts_of(key, '.')[1]))
         wrong_.add(all.front().where + ": `" + key + "`: the policy has no joint of this name");
     for (const std::string& j : c.joints) {
       const std::string key = "joint." + j;

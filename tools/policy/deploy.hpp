@@ -82,6 +82,19 @@ private:
     to_.add(key, first);
   }
 
+  // All joints in their order: nothing, Python's slice(None), which is three nulls, or 0, 1, 2, ...
+  static bool are_all(const YAML::Node& ids, const YAML::Node& map) {
+    if (!ids || ids.IsNull()) return true;
+    const std::size_t count = map && map.IsSequence() ? map.size() : 0;
+    if (!ids.IsSequence()) return false;
+    if (ids.Tag().ends_with("builtins.slice"))
+      return std::ranges::all_of(ids, [](const YAML::Node& one) { return one.IsNull(); });
+    std::size_t next = 0;
+    for (const auto& one : ids)
+      if (one.as<std::size_t>(count) != next++) return false;
+    return next == count;
+  }
+
   // Gains are in the order of the motors, everything else in that of the policy.
   void unitree(const YAML::Node& root) {
     relative_ = 5.1e-3;  // three significant digits
@@ -97,9 +110,10 @@ private:
         wrong_.add(where(actions) + ": it has " + std::to_string(actions.size()) +
                    " actions; one is possible");
       for (const auto& entry : actions) {
-        if (const YAML::Node some = entry.second["joint_ids"]; some && !some.IsNull())
-          wrong_.add(where(some) +
-                     ": the action moves some of the joints; here it moves all that are observed");
+        if (const YAML::Node ids = entry.second["joint_ids"]; !are_all(ids, root["joint_ids_map"]))
+          wrong_.add(where(ids) +
+                     ": the action moves some of the joints, or in another order; here it moves all that are "
+                     "observed, in their order");
         add(entry.second["scale"], "action.scale");
         add(entry.second["offset"], "action.offset");
         add_clip(entry.second["clip"], "action.target_clip");

@@ -2,6 +2,7 @@
 // say the same key must agree.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -32,10 +33,12 @@ inline std::string shown(const statement& s) {
   return all + (count > 24 ? ", ..." : "");
 }
 
-// All mistakes, in the order in which they were found.
+// All mistakes, each once, in the order in which they were found.
 class complaints {
 public:
-  void add(const std::string& text) { all_.push_back(text); }
+  void add(const std::string& text) {
+    if (std::ranges::find(all_, text) == all_.end()) all_.push_back(text);
+  }
   const std::vector<std::string>& all() const { return all_; }
 
 private:

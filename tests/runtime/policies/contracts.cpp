@@ -254,6 +254,51 @@ TEST_CASE("40 contracts broken in one way each are refused, and docs/policies.md
   }
 }
 
+TEST_CASE("deploy.yaml may write all joints as nothing, as Python's slice(None), or one by one") {
+  const std::string none = "joint_ids: null";
+  for (const std::string all :
+       {"joint_ids: !!python/object/apply:builtins.slice [null, null, null]", "joint_ids: [0, 1, 2, 3]"}) {
+    files f;
+    put(f.deploy, none, all);
+    CHECK_MESSAGE(said_of(f) == "", all);
+  }
+  for (const std::string some :
+       {"joint_ids: !!python/object/apply:builtins.slice [null, 2, null]", "joint_ids: [0, 1, 2]",
+        "joint_ids: [0, 1, 2, 3, 4]", "joint_ids: [1, 0, 2, 3]", "joint_ids: [null, null, null]",
+        "joint_ids: [0, 1, 2, x]", "joint_ids: 4", "joint_ids: []"}) {
+    files f;
+    put(f.deploy, none, some);
+    CHECK_MESSAGE(said_of(f) ==
+                      "deploy.yaml:18: the action moves some of the joints, or in another order; here it "
+                      "moves all that are observed, in their order",
+                  some);
+  }
+}
+
+TEST_CASE("a list that two terms share complains once") {
+  files f;
+  put(f.deploy, "default_joint_pos: [0.1, -0.8, -0.1, -0.8]", "default_joint_pos: [0.1, -0.8, -0.1]");
+  put_in_place(f.onnx, "default_joint_pos", "default_joint_rot");
+  cca_policy::complaints wrong;
+  (void)imported(f, wrong);
+  int times = 0;
+  for (const std::string& one : wrong.all())
+    times += one == "deploy.yaml:5: `default_positions` has 3 numbers, expected 4";
+  CHECK(times == 1);
+}
+
+TEST_CASE("joints without names are one complaint, not one for each list of numbers") {
+  files f;
+  put_in_place(f.onnx, "joint_names", "joint_other");
+  put(f.map, "sdk_joints = ", "# ");
+  cca_policy::complaints wrong;
+  (void)imported(f, wrong);
+  REQUIRE(wrong.all().size() == 1);
+  CHECK(wrong.all().front() ==
+        "no file says `joints`: the names of the joints in the policy's order, or `sdk_joints` in the order "
+        "of the motors, for joint_ids_map; write it in the map");
+}
+
 TEST_CASE("docs/policies.md lists each operator and each key of a map") {
   const std::string page = cca::detail::read_file(CCA_DOCS "/policies.md");
   for (const auto& one : cca_policy::all_operators())

@@ -1,6 +1,7 @@
 // The file of a policy's weights from Python: layers as pairs of numpy arrays, (units, inputs) and (units,).
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cca/python/array_checks.hpp>
 #include <cca/python/policy_file.hpp>
@@ -32,7 +34,7 @@ void add_policy_file(Class& of) {
   of.attr("policy_activation") = activation_name<Policy>();
   of.def_static(
       "save_policy",
-      [](const std::string& file, const py::sequence& layers, const py::object& centre,
+      [](const std::filesystem::path& file, const py::sequence& layers, const py::object& centre,
          const py::object& scale, const py::object& offset, const py::object& gain) {
         const std::vector<int> size = layer_sizes<Policy>();
         if (layers.size() + 1 != size.size())
@@ -49,7 +51,7 @@ void add_policy_file(Class& of) {
                               copied(pair[1], sizes{size[l + 1]}, "the bias of " + name)});
         }
         try {
-          save_policy<Policy>(file, n);
+          save_policy<Policy>(file.string(), n);
         } catch (const refused& e) { throw py::value_error(e.what()); }
       },
       py::arg("file"), py::arg("layers"), py::kw_only(), py::arg("centre") = py::none(),
@@ -57,10 +59,10 @@ void add_policy_file(Class& of) {
       "writes weights that the robot's program loads: y = offset + gain * layers((x - centre) * scale)");
   of.def_static(
       "load_policy",
-      [](const std::string& file) {
+      [](const std::filesystem::path& file) {
         policy_numbers n;
         try {
-          n = load_policy<Policy>(file);
+          n = load_policy<Policy>(file.string());
         } catch (const refused& e) { throw py::value_error(e.what()); }
         const auto array = [](const std::vector<double>& v) {
           return py::array_t<double>(static_cast<py::ssize_t>(v.size()), v.data());
