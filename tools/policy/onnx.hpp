@@ -98,7 +98,8 @@ inline tensor read_tensor(std::string_view bytes) {
       case 13:
       case 14:
         if (m.is_bytes || m.number != 0)
-          refuse("the tensor `" + t.name + "` lies in another file: write one with the weights inside, in Python by "
+          refuse("the tensor `" + t.name +
+                 "` lies in another file: write one with the weights inside, in Python by "
                  "onnx.save(onnx.load(FILE), NEW_FILE)");
         break;
       default:
