@@ -1,6 +1,7 @@
 // How many messages a second go through a door, and how late they come: clients on sockets in this program,
 // each of which reads all channels. Late is from the call of the recording's thread to the client's read.
-//   bench_door [--channels N] [--rate HZ] [--clients N] [--seconds S] [--check]
+//   bench_door [--channels N] [--rate HZ] [--clients N] [--seconds S] [--batches] [--check]
+// --batches: the clients take many samples in one message (cca.batches.v1).
 // --check: fails unless all come, p99 is below 2 ms, and CPU and memory are printed as ever.
 #include <sys/resource.h>
 
@@ -71,6 +72,17 @@ struct reader {
         late(time - sent);
         ++messages;
       }
+      if (in[at] == '\x82' && in[at + head] == '\xca') {
+        ++messages;
+        for (std::size_t i = 1; i < size;) {
+          std::uint64_t sent;
+          std::uint32_t bytes;
+          std::memcpy(&sent, in.data() + at + head + i + 4, 8);
+          std::memcpy(&bytes, in.data() + at + head + i + 12, 4);
+          late(time - sent);
+          i += 16 + bytes;
+        }
+      }
       at += head + size;
     }
     wire.received.erase(0, at);
@@ -82,10 +94,11 @@ struct reader {
 int main(int count, char** words) {
   int channels = 10, clients = 1;
   double rate = 1000, seconds = 3;
-  bool checks = false;
+  bool checks = false, in_batches = false;
   for (int i = 1; i < count; ++i) {
     const std::string_view word = words[i];
     if (word == "--check") checks = true;
+    else if (word == "--batches") in_batches = true;
     else if (i + 1 == count) return std::fprintf(stderr, "%s: no value\n", words[i]), 2;
     else if (word == "--channels") channels = std::atoi(words[++i]);
     else if (word == "--clients") clients = std::atoi(words[++i]);
@@ -103,7 +116,8 @@ int main(int count, char** words) {
         (i > 1 ? ",{\"id\":" : "{\"id\":") + std::to_string(i) + ",\"channelId\":" + std::to_string(i) + "}";
   for (int i = 0; i < clients; ++i) {
     auto& r = readers.emplace_back(one.port());
-    r.wire.send(door_test::greeting_of(one.port(), {}));
+    r.wire.send(door_test::greeting_of(
+        one.port(), {.protocols = in_batches ? "foxglove.websocket.v1, cca.batches.v1" : "foxglove.websocket.v1"}));
     if (!r.wire.comes("\r\n\r\n")) return std::fprintf(stderr, "a client was not let in\n"), 1;
     r.wire.received.erase(0, r.wire.received.find("\r\n\r\n") + 4);
     r.wire.send(door_test::frame_of(0x81, subscribe + "]}"));
@@ -131,7 +145,7 @@ int main(int count, char** words) {
   });
   std::vector<std::uint32_t> late;
   late.reserve(static_cast<std::size_t>(1e6));
-  std::uint64_t seen = 0;
+  std::uint64_t seen = 0, messages = 0;
   while (!ends) {
     for (auto& r : readers)
       r.read([&](std::uint64_t ns) {
@@ -142,6 +156,7 @@ int main(int count, char** words) {
     std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
   writer.join();
+  for (const auto& r : readers) messages += r.messages;
   std::sort(late.begin(), late.end());
   const auto quantile = [&](double p) {
     return late.empty() ? 0.0
@@ -150,9 +165,9 @@ int main(int count, char** words) {
   const std::uint64_t all =
       beats * static_cast<std::uint64_t>(channels) * static_cast<std::uint64_t>(clients);
   std::printf(
-      "%d channels at %.0f Hz, %d clients: %.0f messages/s, late %.0f us p50, %.0f us p99, %.0f us most, "
+      "%d channels at %.0f Hz, %d clients: %.0f samples/s in %.0f messages/s, late %.0f us p50, %.0f us p99, %.0f us most, "
       "lost %llu, %.0f %% of a core, memory %ld + %ld KiB\n",
-      channels, rate, clients, static_cast<double>(seen) / seconds, quantile(0.5), quantile(0.99),
+      channels, rate, clients, static_cast<double>(seen) / seconds, static_cast<double>(messages) / seconds, quantile(0.5), quantile(0.99),
       quantile(1), static_cast<unsigned long long>(all - seen), 100 * (cpu_seconds() - cpu) / seconds, memory,
       kilobytes() - memory);
   return checks && (seen != all || quantile(0.99) > 2000) ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -36,6 +37,14 @@ void read_answers(net::door_client& c) {
       const std::string payload = bytes.substr(at + head, size);
       fuzz::must(payload.size() == size);
       if (byte(at) == 0x81) fuzz::must(net::json::accept(payload));
+      if (byte(at) == 0x82 && payload[0] == net::op_of_batch)
+        for (std::size_t i = 1; i < payload.size();) {
+          fuzz::must(payload.size() - i >= 16);
+          std::uint32_t length;
+          std::memcpy(&length, payload.data() + i + 12, 4);
+          fuzz::must(payload.size() - i - 16 >= length);
+          i += 16 + length;
+        }
       if (byte(at) == 0x82 && payload[0] == 3) fuzz::must(net::json::accept(payload.substr(17)));
       at += head + size;
     }
@@ -88,6 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   net::greeting hello;
   const bool has_token = (how & 4) != 0, commands = has_token && (how & 8) != 0;
   hello.has_token = has_token;
+  hello.takes_batches = (how & 64) != 0;
   hello.token_offered = token;
   if (commands) hello.once = keys.make();
   net::door_client& c = hub.enter("127.0.0.1:1", hello, now);

@@ -33,7 +33,7 @@ export class Door {
     Object.assign(this, { url: url ?? this.url, token: token ?? this.token });
     clearTimeout(this.again);
     this.forgetConnection();
-    this.worker.postMessage({ do: 'connect', url: this.url, protocols: ['foxglove.websocket.v1', 'foxglove.sdk.v1', ...(this.token ? [`cca.token.${this.token}`] : [])] });
+    this.worker.postMessage({ do: 'connect', url: this.url, protocols: ['foxglove.websocket.v1', 'foxglove.sdk.v1', 'cca.batches.v1', ...(this.token ? [`cca.token.${this.token}`] : [])] });
   }
   forgetConnection() {
     Object.assign(this, { channelList: new Map(), services: new Map(), isDescribed: false, needsToken: false });

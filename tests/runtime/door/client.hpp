@@ -151,6 +151,8 @@ public:
   std::string head{};
   std::vector<json> texts{};
   std::vector<sample> samples{};
+  std::size_t batches = 0;  // messages with many samples
+  bool whole_batches = true;
   std::vector<std::uint64_t> times{};
   std::vector<std::pair<std::uint32_t, json>> answers{};  // by their calls
   std::uint16_t closed_with = 0;
@@ -275,6 +277,21 @@ private:
       std::memcpy(&one.time, payload.data() + 5, 8);
       one.data = payload.substr(13);
       samples.push_back(std::move(one));
+    }
+    if (kind == 2 && payload[0] == '\xca') {
+      ++batches;
+      for (std::size_t begin = 1; begin + 16 <= payload.size();) {
+        sample one;
+        std::uint32_t bytes;
+        std::memcpy(&one.subscription, payload.data() + begin, 4);
+        std::memcpy(&one.time, payload.data() + begin + 4, 8);
+        std::memcpy(&bytes, payload.data() + begin + 12, 4);
+        one.data = payload.substr(begin + 16, bytes);
+        whole_batches = whole_batches && one.data.size() == bytes;
+        samples.push_back(std::move(one));
+        begin += 16 + bytes;
+        whole_batches = whole_batches && begin <= payload.size();
+      }
     }
     if (kind == 2 && payload[0] == 2) {
       std::uint64_t time;

@@ -66,6 +66,63 @@ TEST_CASE("A sample comes with its subscription and its time, and not after the 
   CHECK(c.samples.empty());
 }
 
+TEST_CASE("A client that asks for batches gets many samples in one message, each as it was") {
+  opened one;
+  for (std::uint16_t i = 1; i <= 3; ++i) one.channel(i, "/a" + std::to_string(i));
+  client c(one.port(), "", {.protocols = "foxglove.websocket.v1, cca.batches.v1"});
+  client other(one.port(), "", {.protocols = "foxglove.websocket.v1, cca.v1"});
+  CHECK(c.head.find("Sec-WebSocket-Protocol: foxglove.websocket.v1\r\n") != std::string::npos);
+  CHECK(c.next("cca.rights")["mayChange"] == false);  // it knows what is the door's own
+  for (client* each : {&c, &other}) {
+    CHECK(each->waits([&] { return each->channel("/a3") == 3; }));
+    for (std::uint32_t i = 1; i <= 3; ++i) each->subscribe(40 + i, i);
+    each->text({{"op", "nonsense"}});
+    CHECK(each->is_told("does not offer"));
+  }
+  // Data of many lengths, also of none. They wait together, as those of a beat do.
+  const auto data = [](std::uint64_t k) { return std::string(k % 300, static_cast<char>('a' + k % 26)); };
+  for (std::uint64_t k = 0; k < 3000; ++k) {
+    const std::string bytes = data(k);
+    one.door.sink().message(static_cast<std::uint16_t>(1 + k % 3), 1000 + k, 0,
+                            {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+  }
+  one.door.sink().hand_over();
+  for (client* each : {&c, &other}) {
+    REQUIRE(each->waits([&] { return each->samples.size() >= 3000; }));
+    CHECK(each->samples.size() == 3000);
+    bool same = true;
+    for (std::uint64_t k = 0; k < 3000; ++k) {
+      const auto& s = each->samples[k];
+      same = same && s.subscription == 41 + k % 3 && s.time == 1000 + k && s.data == data(k);
+    }
+    CHECK(same);
+  }
+  CHECK(c.whole_batches);
+  CHECK(c.batches > 0);
+  CHECK(c.batches < 60);      // 450 kB, of which about 64 KiB are in one, or what has come until then
+  CHECK(other.batches == 0);  // of Foxglove's protocol only
+}
+
+TEST_CASE("A slow client of batches loses the oldest samples, whole ones, and is told how many") {
+  opened one({}, {.waiting_bytes = 1000});
+  one.channel(1, "/a");
+  client c(one.port(), "", {.protocols = "foxglove.websocket.v1, cca.batches.v1"});
+  CHECK(c.waits([&] { return c.channel("/a") == 1; }));
+  c.subscribe(4, 1);
+  c.text({{"op", "nonsense"}});
+  CHECK(c.is_told("does not offer"));
+  for (std::uint64_t k = 1; k <= 1000; ++k) one.door.sink().message(1, k, 0, {});
+  one.door.sink().hand_over();
+  CHECK(c.is_told("this client is slow: it has lost"));
+  CHECK(c.whole_batches);
+  CHECK(c.samples.size() >= 1000 / 16);
+  CHECK(c.samples.size() < 1000);
+  CHECK(c.samples.back().time == 1000);
+  bool in_order = true;
+  for (std::size_t k = 1; k < c.samples.size(); ++k) in_order = in_order && c.samples[k].time > c.samples[k - 1].time;
+  CHECK(in_order);
+}
+
 TEST_CASE("A channel that is kept gives its last message to who comes later") {
   opened one;
   one.channel(1, "/state", true);

@@ -34,10 +34,10 @@ private:
 };
 
 struct door_client {
-  door_client(std::uint64_t number, std::string address, const door_limits& limits)
+  door_client(std::uint64_t number, std::string address, const door_limits& limits, bool takes_batches)
       : id(number),
         name(std::move(address)),
-        out(limits),
+        out(limits, takes_batches),
         messages(limits.messages_per_second),
         bytes(limits.bytes_per_second) {}
 

@@ -31,7 +31,7 @@ struct greeting {
   enum class is { more, refused, page, connection } what = is::more;
   std::string answer{};         // bytes to send; of a page: the head
   std::string token_offered{};  // of a connection: of the sub-protocol `cca.token.<token>`
-  bool has_token = false, knows_cca = false;
+  bool has_token = false, knows_cca = false, takes_batches = false;
   std::string once{};
   std::size_t used = 0;    // the bytes after those are already frames
   bool head_only = false;  // HEAD
@@ -189,6 +189,7 @@ inline greeting read_greeting(std::string_view bytes,
     const std::string_view name(one.data(), one.size());
     if (chosen.empty() && (name == "foxglove.websocket.v1" || name == "foxglove.sdk.v1")) chosen = name;
     if (name.starts_with("cca.")) g.knows_cca = true;
+    if (name == "cca.batches.v1") g.takes_batches = true;
     if (name.starts_with("cca.token.") && !g.has_token) g.has_token = true, g.token_offered = name.substr(10);
   }
   if (chosen.empty())

@@ -36,7 +36,7 @@ inline hub::hub(const door_settings& given,
 }
 
 inline door_client& hub::enter(const std::string& name, const greeting& hello, time_point now) {
-  door_client& c = clients.emplace_back(++last_id, name, limits);
+  door_client& c = clients.emplace_back(++last_id, name, limits, hello.takes_batches);
   c.needs_token = guards_reading;
   c.knows_cca = hello.knows_cca;
   c.last_sign = c.entered = now;
