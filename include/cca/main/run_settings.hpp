@@ -24,6 +24,7 @@ struct run_settings {
   std::string trace{};                       // a file for a trace; empty: none (docs/traces.md)
   std::optional<std::uint16_t> door{};       // a port that other programs may connect to (docs/door.md)
   std::string door_address{};                // empty: this machine only
+  std::vector<std::string> door_origins{};   // viewers that are pages of other addresses
   std::string door_token{};                  // a file with what a client must know to change anything
   std::string on_lost = "go-on";             // what the run does when who commands is gone: go-on, hold, stop
   bool paused = false;                       // waits for `go on` before its first beat

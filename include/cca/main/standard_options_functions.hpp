@@ -161,6 +161,8 @@ CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
       },
       "lets viewers and cca-top connect while it runs, in a wall-clock run (port 8765; 0: any)");
   line.text("--door-address A", s.door_address, "listens there, not only to this machine");
+  line.texts("--door-origin URL", s.door_origins,
+             "lets a viewer connect that is a page of that address, such as https://app.foxglove.dev");
   offer_file(line, "--door-token", s.door_token,
              "what a client must know to change anything (made anew for each run)");
   line.text(
@@ -174,8 +176,8 @@ CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
 }
 
 CCA_MAIN_INLINE void refuse_contradictions(const run_settings& s) {
-  if (!s.door && (!s.door_address.empty() || !s.door_token.empty()))
-    throw command_line_error("--door-address and --door-token: open a door, by --door");
+  if (!s.door && (!s.door_address.empty() || !s.door_origins.empty() || !s.door_token.empty()))
+    throw command_line_error("--door-address, --door-origin and --door-token: open a door, by --door");
   if (s.record.empty() && s.page.empty() && !s.record_scopes.empty())
     throw command_line_error("--record-only: say by --record or --page into which file");
   if (!s.replay.empty() && !(s.record.empty() && s.page.empty() && s.trace.empty()))

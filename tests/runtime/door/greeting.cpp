@@ -102,6 +102,20 @@ TEST_CASE("A page of elsewhere is no Origin, unless the program names it") {
   CHECK(answer_to(other.port(), {.origin = "https://lab.example"}) == forbidden);
 }
 
+TEST_CASE("What no browser sends as Origin is refused when the door is opened") {
+  for (const std::string wrong :
+       {"https://lab.example/", "https://lab.example/viewer", "lab.example", "https://", "*", "https://*.example",
+        "://lab.example", ""}) {
+    CAPTURE(wrong);
+    std::string why;
+    try {
+      opened one({.origins = {"https://lab.example", wrong}});
+    } catch (const cca::refused& e) { why = e.what(); }
+    CHECK(why.find("\"" + wrong + "\" is no address of a page") != std::string::npos);
+    CHECK(why.find("https://app.foxglove.dev") != std::string::npos);
+  }
+}
+
 TEST_CASE("The page is served at / alone, with what keeps others out") {
   const std::string name = "door_page.html";
   std::ofstream(name) << "<!doctype html><p>" << std::string(300000, 'x');

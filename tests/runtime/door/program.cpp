@@ -165,6 +165,9 @@ TEST_CASE("door: an option that is wrong is refused in words, and nothing runs")
   CHECK(refused({"--door", "70000"}).find("expected a whole number from 0 to 65535") != std::string::npos);
   CHECK(refused({"--on-lost", "panic"}).find("expected stop, hold or go-on") != std::string::npos);
   CHECK(refused({"--door-address", "0.0.0.0"}).find("open a door") != std::string::npos);
+  CHECK(refused({"--door-origin", "https://lab.example"}).find("open a door") != std::string::npos);
+  CHECK(refused({"--door", "0", "--door-origin", "https://lab.example/"}).find("is no address of a page") !=
+        std::string::npos);
   CHECK(refused({"--door", "0", "--door-token", "/nowhere/token"}).find("/nowhere/token") !=
         std::string::npos);
 }

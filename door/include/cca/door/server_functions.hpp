@@ -44,6 +44,7 @@ struct door_server::inside {
         controls(of),
         token(door_network::token_of(given)),
         page(door_network::page_of(given.page)) {
+    for (const std::string& one : given.origins) door_network::check_origin(one);
     error wrong;
     const auto address = boost::asio::ip::make_address(settings.address, wrong);
     if (wrong)
@@ -319,6 +320,8 @@ CCA_DOOR_INLINE door_server::door_server(const door_settings& settings,
               is_in_file ? ("in " + settings.token_file).c_str() : in->token.c_str());
   if (!in->page.empty())  // what stands behind # stays in the browser
     std::printf("door: http://%s/%s\n", where.c_str(), is_in_file ? "" : ("#token=" + in->token).c_str());
+  if (!settings.origins.empty())  // a viewer of others, which knows only a URL
+    std::printf("door: for one viewer, once: %s\n", one_time_url().c_str());
   std::fflush(stdout);
 }
 CCA_DOOR_INLINE door_server::~door_server() = default;

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/base/refused.hpp>
 #include <cca/door/network/frames_functions.hpp>
 #include <cca/door/network/limits.hpp>
 #include <cca/door/settings.hpp>
@@ -115,6 +116,17 @@ inline bool is_own_origin(const std::string& origin,
                      [&](const std::string& one) { return origin == lower(one); });
 }
 
+// What a browser sends as Origin: no path, and no slash at its end; `null` of a page that is a file.
+inline void check_origin(const std::string& one) {
+  if (one == "null") return;
+  const auto host = one.find("://");
+  if (host == one.npos || host == 0 || host + 3 == one.size() ||
+      one.find_first_of("/?#* ", host + 3) != one.npos)
+    throw refused("door_settings::origins: \"" + one +
+                  "\" is no address of a page: expected the scheme, the host and perhaps a port, as in "
+                  "https://app.foxglove.dev or http://localhost:8080");
+}
+
 // The value of `once` of `/?once=KEY`; another target than `/` is none.
 inline bool read_target(std::string_view target, std::string& once) {
   const auto question = target.find('?');
@@ -160,7 +172,8 @@ inline greeting read_greeting(std::string_view bytes,
                                      " or localhost:" + std::to_string(at.port) + "; a proxy must set it");
   if (!origin.empty() && !is_own_origin(origin, host, at, settings))
     return refused_greeting(
-        403, "Origin may not connect: a page of another address must be in door_settings::origins");
+        403, "Origin may not connect: name the page of another address by --door-origin, or in "
+             "door_settings::origins");
 
   greeting g;
   g.used = used;
