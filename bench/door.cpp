@@ -117,7 +117,8 @@ int main(int count, char** words) {
   for (int i = 0; i < clients; ++i) {
     auto& r = readers.emplace_back(one.port());
     r.wire.send(door_test::greeting_of(
-        one.port(), {.protocols = in_batches ? "foxglove.websocket.v1, cca.batches.v1" : "foxglove.websocket.v1"}));
+        one.port(),
+        {.protocols = in_batches ? "foxglove.websocket.v1, cca.batches.v1" : "foxglove.websocket.v1"}));
     if (!r.wire.comes("\r\n\r\n")) return std::fprintf(stderr, "a client was not let in\n"), 1;
     r.wire.received.erase(0, r.wire.received.find("\r\n\r\n") + 4);
     r.wire.send(door_test::frame_of(0x81, subscribe + "]}"));
@@ -165,10 +166,11 @@ int main(int count, char** words) {
   const std::uint64_t all =
       beats * static_cast<std::uint64_t>(channels) * static_cast<std::uint64_t>(clients);
   std::printf(
-      "%d channels at %.0f Hz, %d clients: %.0f samples/s in %.0f messages/s, late %.0f us p50, %.0f us p99, %.0f us most, "
+      "%d channels at %.0f Hz, %d clients: %.0f samples/s in %.0f messages/s, late %.0f us p50, %.0f us p99, "
+      "%.0f us most, "
       "lost %llu, %.0f %% of a core, memory %ld + %ld KiB\n",
-      channels, rate, clients, static_cast<double>(seen) / seconds, static_cast<double>(messages) / seconds, quantile(0.5), quantile(0.99),
-      quantile(1), static_cast<unsigned long long>(all - seen), 100 * (cpu_seconds() - cpu) / seconds, memory,
-      kilobytes() - memory);
+      channels, rate, clients, static_cast<double>(seen) / seconds, static_cast<double>(messages) / seconds,
+      quantile(0.5), quantile(0.99), quantile(1), static_cast<unsigned long long>(all - seen),
+      100 * (cpu_seconds() - cpu) / seconds, memory, kilobytes() - memory);
   return checks && (seen != all || quantile(0.99) > 2000) ? 1 : 0;
 }

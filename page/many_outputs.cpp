@@ -1,5 +1,5 @@
-// A program with a hundred outputs at 1 kHz and a door, for what the page needs to show them all. It has no robot and
-// nothing to compute, so the page and the door are what is measured.
+// A program with a hundred outputs at 1 kHz and a door, for what the page needs to show them all. It has no
+// robot and nothing to compute, so the page and the door are what is measured.
 //
 //   cca_many_outputs --door --quiet --seconds 600
 #include <cstddef>
@@ -40,7 +40,8 @@ struct many {
       return {cca::math::sin(angle * (i + 1)), cca::math::sin(angle * (i + 2)),
               cca::math::sin(angle * (i + 3))};
     };
-    return {curve(0), curve(1), curve(2), curve(3), curve(4), curve(5), curve(6), curve(7), curve(8), curve(9)};
+    return {curve(0), curve(1), curve(2), curve(3), curve(4),
+            curve(5), curve(6), curve(7), curve(8), curve(9)};
   }
 };
 

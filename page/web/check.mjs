@@ -73,7 +73,9 @@ const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: 
 const wanted = options.only?.split(',') ?? Object.keys(parts);
 for (const part of wanted) await parts[part]({ options, check, near, open, text, number, settle, message, press, runAhead, parameter, picture, accessible, position, state, requests, browser, complaints });
 
-check('no error and no warning in the console', complaints.length === 0, complaints);
+// The driver of the graphics card in software says that each picture is read back from it (browser.mjs): not the page's.
+const ours = complaints.filter((one) => !/GPU stall due to ReadPixels/.test(one));
+check('no error and no warning in the console', ours.length === 0, ours);
 await browser.close();
 writeFileSync(options.out, `${JSON.stringify(checks, null, 1)}\n`);
 const failed = checks.filter((c) => !c.passed);

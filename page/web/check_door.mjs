@@ -108,6 +108,32 @@ export async function checkDoor(tools) {
   check('door: steps seven beats', await until(page, (b) => Number(document.getElementById('beat').textContent) === b, held + 7), (await number(page, '#beat')) - held);
   await press(page, '#door-play');
   check('door: goes on', await says(page, 'state', '^running$') && await until(page, (b) => Number(document.getElementById('beat').textContent) > b + 100, held), await text(page, '#state'));
+  await page.evaluate(() => { document.activeElement.blur(); scrollTo(0, 0); });
+  await page.keyboard.press('Space');
+  const stopped = await isPaused(page);
+  await sleep(700);
+  await settle(page);
+  const atRest = await number(page, '#beat');
+  await page.$eval('#door-beats', (e) => { e.value = 1; });
+  await page.keyboard.press('.');
+  check('door: space pauses, the full stop steps a beat', stopped && await until(page, (b) => Number(document.getElementById('beat').textContent) === b, atRest + 1), (await number(page, '#beat')) - atRest);
+  await page.keyboard.press('Space');
+  check('door: space goes on', await says(page, 'state', '^running$'), await text(page, '#state'));
+  // By the tabulator alone, from the top: what has the keyboard is seen to have it.
+  await page.evaluate(() => { document.body.tabIndex = -1; document.body.focus(); document.body.removeAttribute('tabindex'); });
+  const reached = new Set(), unseen = [];
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press('Tab');
+    const { name, isSeen } = await page.evaluate(() => {
+      const e = document.activeElement, style = getComputedStyle(e);
+      return { name: e.id || e.dataset.path || e.dataset.port || e.dataset.command || e.className, isSeen: e === document.body || style.outlineStyle !== 'none' || style.boxShadow !== 'none' || e.querySelector('.hit') !== null };
+    });
+    reached.add(name);
+    if (!isSeen) unseen.push(name);
+  }
+  const needed = ['emergency', 'command', 'door-play', 'door-step', 'door-beats', 'door-speed', 'record', 'push', 'cpg.phase'];
+  check('door: the tabulator reaches all that one steers with, and one sees where it is', needed.every((name) => reached.has(name)) && unseen.length === 0, [needed.filter((name) => !reached.has(name)), unseen]);
+  await page.evaluate(() => { document.activeElement.blur(); scrollTo(0, 0); });
   await page.select('#door-speed', '0.5');
   check('door: half the speed', await until(page, () => window.ccaPage.source.door.speed === 0.5), await page.evaluate(() => window.ccaPage.source.door.speed));
   await page.select('#door-speed', '1');

@@ -48,20 +48,20 @@ export async function checkViewer({ options, check, browser, picture }) {
     program.on('exit', () => refuse(new Error(`${options.program} has ended before its door was open:\n${said}`)));
   });
   const problems = [];
-  const open = async (address) => {
+  const open = async (address, message) => {
     const page = await browser.newPage();
     page.setDefaultTimeout(240_000);
     page.on('pageerror', (error) => problems.push(error.message));
     await page.bringToFront();
     await page.setViewport({ width: 1400, height: 900 });
-    await page.goto(`${here}/?ds=foxglove-websocket&ds.url=${encodeURIComponent(address)}`, { waitUntil: 'domcontentloaded' });
+    await page.goto(`${here}/?ds=foxglove-websocket&ds.url=${encodeURIComponent(address)}&message=${message}`, { waitUntil: 'domcontentloaded' });
     return page;
   };
   const until = (page, what, ...values) => page.waitForFunction(what, { timeout: 240_000, polling: 250 }, ...values).then(() => true, () => false);
   const text = (page) => page.evaluate(() => document.body.innerText);
   const has = (page, ...words) => until(page, (all) => all.every((one) => document.body.innerText.includes(one)), words);
 
-  let page = await open(url);
+  let page = await open(url, '/gait/angles');
   check('viewer: it connects, and knows the program', await has(page, 'cca: trot'), (await text(page)).slice(0, 200));
   check('viewer: it lists the outputs with their types', await has(page, '/cpg/phase', 'cca/msg/gait_phase', '/gait/angles', 'cca/msg/leg_angles'), (await text(page)).slice(0, 400));
   check('viewer: it lists the parameters', await has(page, 'throttle.speed', 'cpg.frequency', 'gait.duty'), (await text(page)).slice(-600));
@@ -81,6 +81,21 @@ export async function checkViewer({ options, check, browser, picture }) {
   }
   check('viewer: and walks', later.place !== seen.place, [seen, later]);
   await picture(page, 'viewer');
+  // What it changes. Without the token nothing; with the address that is valid once, it has the command.
+  const enter = async (name, value) => {
+    const field = await page.evaluateHandle((n) => [...document.querySelectorAll('tr')].find((row) => row.innerText.startsWith(n))?.querySelector('textarea'), name);
+    await field.evaluate((e) => { e.scrollIntoView({ block: 'center' }); e.focus(); e.select(); });
+    await page.keyboard.type(String(value));
+    await field.evaluate((e) => e.closest('tr').querySelector('button').click());
+  };
+  await enter('throttle.speed', 0.5);
+  check('viewer: without the token it changes nothing, and is told why', await has(page, 'Problems\n1') && (await page.evaluate(() => [...document.querySelectorAll('button')].find((e) => /^Problems/.test(e.innerText)).click()), await has(page, 'needs the token')), (await text(page)).slice(0, 300));
+  await page.close();
+  page = await open(once, '/cca/parameters/throttle');
+  check('viewer: a message of the parameters', await has(page, 'cca/msg/throttle_parameters @', '0.66'), (await text(page)).slice(-200));
+  await enter('throttle.speed', 0.5);
+  check('viewer: with the address that is valid once it changes a parameter', await until(page, () => /throttle_parameters @[\s\S]*speed\s*0\.5\n/.test(document.body.innerText)), (await text(page)).slice(-200));
+  await picture(page, 'viewer-tunes');
   await page.close();
   check('viewer: it complains about nothing', problems.length === 0, problems);
   program.kill('SIGTERM');

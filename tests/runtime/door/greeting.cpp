@@ -103,9 +103,8 @@ TEST_CASE("A page of elsewhere is no Origin, unless the program names it") {
 }
 
 TEST_CASE("What no browser sends as Origin is refused when the door is opened") {
-  for (const std::string wrong :
-       {"https://lab.example/", "https://lab.example/viewer", "lab.example", "https://", "*", "https://*.example",
-        "://lab.example", ""}) {
+  for (const std::string wrong : {"https://lab.example/", "https://lab.example/viewer", "lab.example",
+                                  "https://", "*", "https://*.example", "://lab.example", ""}) {
     CAPTURE(wrong);
     std::string why;
     try {

@@ -119,7 +119,8 @@ TEST_CASE("A slow client of batches loses the oldest samples, whole ones, and is
   CHECK(c.samples.size() < 1000);
   CHECK(c.samples.back().time == 1000);
   bool in_order = true;
-  for (std::size_t k = 1; k < c.samples.size(); ++k) in_order = in_order && c.samples[k].time > c.samples[k - 1].time;
+  for (std::size_t k = 1; k < c.samples.size(); ++k)
+    in_order = in_order && c.samples[k].time > c.samples[k - 1].time;
   CHECK(in_order);
 }
 

@@ -172,8 +172,9 @@ inline greeting read_greeting(std::string_view bytes,
                                      " or localhost:" + std::to_string(at.port) + "; a proxy must set it");
   if (!origin.empty() && !is_own_origin(origin, host, at, settings))
     return refused_greeting(
-        403, "Origin may not connect: name the page of another address by --door-origin, or in "
-             "door_settings::origins");
+        403,
+        "Origin may not connect: name the page of another address by --door-origin, or in "
+        "door_settings::origins");
 
   greeting g;
   g.used = used;

@@ -28,8 +28,8 @@ void add_number(std::string& to, Number number) {
   to.append(bytes, sizeof number);
 }
 
-// The first byte of a message with many samples; each is a subscription (4 bytes), a time (8), the size of its
-// data (4), and the data.
+// The first byte of a message with many samples; each is a subscription (4 bytes), a time (8), the size of
+// its data (4), and the data.
 inline constexpr char op_of_batch = '\xca';
 
 class outbox {

@@ -67,8 +67,8 @@ inline json schema_of(const door_service& of) {
   return {{"type", "object"}, {"properties", properties}};
 }
 
-// Their ids are their places, from 1 on. The schemas are there twice: requestSchema and responseSchema are what
-// viewers read that know an older protocol; without them one of those shows nothing at all.
+// Their ids are their places, from 1 on. The schemas are there twice: requestSchema and responseSchema are
+// what viewers read that know an older protocol; without them one of those shows nothing at all.
 inline std::string advertised_services(const std::vector<door_service>& all) {
   const std::string answer =
       R"({"type":"object","properties":{"success":{"type":"boolean"},"message":{"type":"string"}}})";
