@@ -95,8 +95,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   hub.channel({.id = 1, .topic = "/a", .type = "a", .is_kept = true});
   net::time_point now{std::chrono::hours(1)};
   net::greeting hello;
-  const bool has_token = (how & 4) != 0, commands = has_token && (how & 8) != 0;
-  hello.has_token = has_token;
+  const bool greets_with_token = (how & 4) != 0, commands = greets_with_token && (how & 8) != 0;
+  const bool has_token = greets_with_token || bytes.find(token) != bytes.npos;  // it may show it later
+  hello.has_token = greets_with_token;
   hello.takes_batches = (how & 64) != 0;
   hello.token_offered = token;
   if (commands) hello.once = keys.make();
