@@ -201,7 +201,7 @@ export async function checkDoor(tools) {
   program.kill('SIGKILL');
 }
 
-// A program with 100 outputs of three numbers at 1 kHz, all drawn and seven curves plotted with all samples.
+// A program with 100 outputs of three numbers at 1 kHz, all drawn and ten curves plotted with all samples.
 //
 // The machine may do other work meanwhile, so what is judged is work: microseconds of a processor for a sample, and
 // its part of each second for the pictures. What the page did not get done it must have had no processor for: pictures and samples may be
