@@ -21,7 +21,7 @@ inline std::string server_info(const std::string& program, const std::string& se
   return written({{"op", "serverInfo"},
                   {"name", program.empty() ? "cca" : "cca: " + program},
                   {"capabilities",
-                   json::array({"parameters", "parametersSubscribe", "services", "connectionGraph", "time"})},
+                   json::array({"parameters", "parametersSubscribe", "services", "connectionGraph", "time", "assets"})},
                   {"supportedEncodings", json::array({"json"})},
                   {"sessionId", session}});
 }

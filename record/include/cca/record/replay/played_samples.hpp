@@ -9,7 +9,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/items/deployment.hpp>
-#include <cca/record/replay/recorded_beats.hpp>
+#include <cca/record/replay/recorded_channels.hpp>
 #include <cca/record/replay/replayed.hpp>
 #include <cca/runtime/publish.hpp>
 #include <cca/runtime/observers/beat_tap.hpp>
