@@ -6,6 +6,7 @@
 
 #include "twin.hpp"
 
+// [twin]
 namespace {
 
 struct twin_of_trot : trot::architecture<cca::sim::compiled_oncilla>, cca::recordable {};
@@ -16,3 +17,4 @@ cca::page::twin_program& cca::page::twin() {
   static twin_of<twin_of_trot> trot;
   return trot;
 }
+// [twin end]

@@ -73,7 +73,8 @@ void greet(std::string_view bytes) {
 const net::kept_for_twins& kept_twins() {
   static net::kept_for_twins twins(1 << 12, "\0asm");
   const std::string message(4 + 24, '\1');
-  twins.channel({.id = 1, .topic = "/a", .type = "a", .role = cca::recording::replay_role::computed});
+  twins.channel(
+      {.id = 1, .topic = "/a", .type = "a", .schema = "", .role = cca::recording::replay_role::computed});
   for (int i = 0; i < 2000; ++i) twins.message(1, cca::recording::detail::bytes_of(message));
   return twins;
 }

@@ -163,7 +163,8 @@ CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
   line.text("--door-address A", s.door_address, "listens there, not only to this machine");
   offer_file(line, "--door-token", s.door_token,
              "what a client must know to change anything (made anew for each run)");
-  offer_file(line, "--twin", s.twin, "the controller as WebAssembly, which the page of the door runs beside this one");
+  offer_file(line, "--twin", s.twin,
+             "the controller as WebAssembly, which the page of the door runs beside this one");
   line.text(
       "--on-lost WHAT",
       [&s](const std::string& text) {

@@ -134,9 +134,10 @@ TEST_CASE("a stream is smaller than all outputs") {
   CHECK(stream.size() < all / 2);
 }
 
-TEST_CASE("one bit of what a component has published is the first difference, with component, port and beat") {
-  const auto result = twin_of<graph>(
-      stream_of_run<graph>([](const std::string& topic, std::int64_t beat, bytes& message) {
+TEST_CASE(
+    "one bit of what a component has published is the first difference, with component, port and beat") {
+  const auto result =
+      twin_of<graph>(stream_of_run<graph>([](const std::string& topic, std::int64_t beat, bytes& message) {
         return topic != "/limits/safe" || beat != 1234 || last_bit(message, 1);
       }));
   CHECK_FALSE(result);
@@ -147,8 +148,8 @@ TEST_CASE("one bit of what a component has published is the first difference, wi
 }
 
 TEST_CASE("the time of origin counts, too") {
-  const auto result = twin_of<graph>(
-      stream_of_run<graph>([](const std::string& topic, std::int64_t beat, bytes& message) {
+  const auto result =
+      twin_of<graph>(stream_of_run<graph>([](const std::string& topic, std::int64_t beat, bytes& message) {
         if (topic == "/swing/angles" && beat == 17) message.at(4 + 8) ^= 1;
         return true;
       }));
@@ -157,8 +158,8 @@ TEST_CASE("the time of origin counts, too") {
 }
 
 TEST_CASE("one bit of what the robot sensed is found where it has an effect") {
-  const auto result = twin_of<graph>(
-      stream_of_run<graph>([](const std::string& topic, std::int64_t beat, bytes& message) {
+  const auto result =
+      twin_of<graph>(stream_of_run<graph>([](const std::string& topic, std::int64_t beat, bytes& message) {
         if (topic == "/leg/angles" && beat == 1230) message.at(4 + 16 + 4) ^= 1;  // 1 in 2^20 of the hip
         return true;
       }));
@@ -219,8 +220,8 @@ TEST_CASE("parameters take effect in the twin in the same beat") {
 
 TEST_CASE("a twin of another architecture refuses the stream") {
   const bytes stream = stream_of_run<graph>();
-  CHECK_THROWS_WITH_AS(twin_of<other_graph>(stream), doctest::Contains("the robot has another architecture: robot `"),
-                       cca::refused);
+  CHECK_THROWS_WITH_AS(twin_of<other_graph>(stream),
+                       doctest::Contains("the robot has another architecture: robot `"), cca::refused);
 }
 
 TEST_CASE("a damaged stream is refused, differs or waits for more: nothing else") {

@@ -83,7 +83,8 @@ struct door_server::inside {
   boost::asio::io_context io{1};
   tcp::acceptor acceptor{io};
   boost::asio::steady_timer regular{io}, soon{io}, later{io};
-  door_network::inbox box{limits, wanted, twins, [this] { boost::asio::post(io, [this] { take_samples(); }); }};
+  door_network::inbox box{limits, wanted, twins,
+                          [this] { boost::asio::post(io, [this] { take_samples(); }); }};
   door_network::inbox::batch batch{};
   std::unique_ptr<door_network::hub> hub{};
   std::list<shared> all{};
@@ -96,7 +97,8 @@ struct door_server::inside {
   static time_point now() { return std::chrono::steady_clock::now(); }
 
   void run() {
-    hub = std::make_unique<door_network::hub>(settings, limits, controls, token, keys, is_for_others, wanted, twins);
+    hub = std::make_unique<door_network::hub>(settings, limits, controls, token, keys, is_for_others, wanted,
+                                              twins);
     accept();
     wait_regularly();
     for (bool runs = true; runs;) {

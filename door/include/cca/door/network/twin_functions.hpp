@@ -164,7 +164,8 @@ private:
     if (*from < stream.begin())
       return "too late: this door keeps the last " + std::to_string(stream.end() - stream.begin()) + " of " +
              std::to_string(stream.end()) +
-             " bytes of what was sensed, and a twin begins with the first beat. Open it earlier, or begin the "
+             " bytes of what was sensed, and a twin begins with the first beat. Open it earlier, or begin "
+             "the "
              "program anew, with more door_settings::twin_memory";
     add_number(to, stream.end());
     stream.copy(to, *from, piece);

@@ -34,6 +34,7 @@
 #include <cca/graph/items/deployment.hpp>
 #include <cca/record/file/event_ring.hpp>
 #include <cca/record/file/message_outlets.hpp>
+#include <cca/record/file/role_in_replay.hpp>
 #include <cca/record/messages/architecture_text.hpp>
 #include <cca/record/messages/parameter_message.hpp>
 #include <cca/record/messages/sample_message.hpp>
@@ -87,7 +88,7 @@ public:
         }
       is_wanted = is_wanted && of.outputs[cca::detail::array_size(o)];
       ports.push_back(
-          is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o), role_of_output(o))
+          is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o), role_in_replay<Graph>(o))
                     : std::uint16_t{0});
       if (is_wanted && s.viewer_hz > 0) add_view(o, path);
     }
@@ -106,11 +107,11 @@ public:
                            is_kept, event);
     view_period = s.viewer_hz > 0 ? static_cast<std::int64_t>(1e9 / s.viewer_hz) : 0;
     const std::string beats = "int64 beat  # the first\nint64 beats\n", environment = "string environment\n";
-    lost = to_all.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats, {}, false,
-                          event);
+    lost = to_all.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats, {},
+                          false, event);
     if (has_environments) {
-      late = to_all.channel(late_topic, "cca/msg/late", "int64 beat\n" + environment + "string from\n", {}, false,
-                            event);
+      late = to_all.channel(late_topic, "cca/msg/late", "int64 beat\n" + environment + "string from\n", {},
+                            false, event);
       skipped = to_all.channel(skipped_topic, "cca/msg/skipped", beats + environment, {}, false, event);
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
@@ -196,16 +197,6 @@ private:
     return to_all.channel(topic_of(path), message_type(space.name), sample_schema(space),
                           sample_metadata(space), false, role);
   }
-  // What free-running environments publish can't be computed anew.
-  static replay_role role_of_output(int o) {
-    const auto& plan = cca::detail::plan_of<Graph>;
-    const auto& call = plan.calls[cca::detail::array_size(plan.outputs[cca::detail::array_size(o)].call)];
-    bool is_free = false;
-    if constexpr (cca::detail::has_free_running<Graph>) is_free = cca::detail::is_free_node<Graph>(call.node);
-    return call.phase == cca::detail::phase_of_beat::process && !is_free ? replay_role::computed
-                                                                         : replay_role::fed;
-  }
-
   void write_sample(int o, std::int64_t origin, const std::int64_t* coordinates, int size, std::int64_t k) {
     message.clear();
     message.add(std::uint32_t{0x0100}).add(k).add(origin);

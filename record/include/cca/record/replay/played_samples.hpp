@@ -69,6 +69,21 @@ struct playing_tap : cca::detail::beat_tap<replaying<Graph>> {
   void controller_is_gone() noexcept override {}
 };
 
+// What is in a frame of a node that does not compute.
+template <class Graph, class Component>
+void feed_frame(Component& component, int node, const std::int64_t* frame) {
+  constexpr const auto& layout = cca::detail::frame_layout_of<Graph>;
+  component.forget();
+  for (const auto& call : cca::detail::plan_of<Graph>.calls) {
+    if (call.node != node || !call.function) continue;
+    for (int p = 0; p < call.function->output_count; ++p) {
+      const std::size_t o = cca::detail::array_size(call.first_output + p);
+      if (const std::int64_t origin = frame[layout.origin[o]]; origin != never)
+        component.put(call.phase, p, origin, reinterpret_cast<const double*>(frame + layout.at[o]));
+    }
+  }
+}
+
 template <class Graph>
 struct tap_of;
 template <class Graph>

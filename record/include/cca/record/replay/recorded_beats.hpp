@@ -34,7 +34,7 @@ class recorded_items {
   using use_kind = typename channels::kind;
 
 public:
-  static constexpr const char *called_whole = "the recording", *there = "recorded", *here = "replayed",
+  static constexpr const char *called_whole = "the recording", *of_there = "recorded", *of_here = "replayed",
                               *why_missing = "another tool has left out or moved messages";
 
   explicit recorded_items(const std::string& name) : file(name), called(name) {
@@ -76,7 +76,6 @@ public:
     return found == parameter_schemas.end() ? nullptr : &found->second;
   }
   const std::string& name() const { return called; }
-  static constexpr bool is_whole = true;  // all that will ever come is there
   // `was`: the origin that was recorded.
   static bool is_same(int,
                       std::int64_t was,

@@ -131,7 +131,7 @@ struct recorded_channels {
              : of.what == kind::part   ? event_kind::part
              : of.what == kind::freely ? event_kind::freely
              : of.what == kind::late   ? event_kind::late
-                                            : event_kind::skipped;
+                                       : event_kind::skipped;
     if (e.kind == event_kind::freely) {
       e.freely = from.is_at_end() || from.number<std::uint8_t>() != 0;  // older files don't say it
       return from.is_at_end();

@@ -34,7 +34,7 @@ class replay_run final : playing_tap<Graph> {
 
 public:
   explicit replay_run(const std::string& file, std::int64_t most_silent = most_silent_beats)
-      : playing_tap<Graph>(2), items(file), silence(most_silent), recorded(words(layout.words)) {
+      : playing_tap<Graph>(2), items(file), silence(most_silent), recorded(at(layout.words)) {
     forget_beat();
     c.record_into(this);
     each_node([&]<class C>(int node, C&) { check_names<C>(node); });
@@ -59,10 +59,9 @@ public:
       if (item.sample) take(*item.sample, item.beat);
       else if (item.event) take(*item.event);
       else if (item.dropped > 0) this->miss(item.dropped_by, item.dropped);
-      else if (item.lost > 0) {
+      else if (item.lost > 0)
         result.ended_early = std::string(Items::called_whole) + " lost " + std::to_string(item.lost) +
                              " beats, from beat " + std::to_string(item.beat) + " on";
-      }
     }
     return result;
   }
@@ -82,7 +81,6 @@ private:
     int node = 0;
     c.for_each_component([&]<class C>(std::string_view, C& component) { f(node++, component); });
   }
-  static std::size_t words(int n) { return static_cast<std::size_t>(n); }
   static std::size_t at(int n) { return cca::detail::array_size(n); }
   bool is_finished() const { return !result.ended_early.empty() || !result.difference.empty(); }
 
@@ -112,11 +110,12 @@ private:
   }
   void check_begin() const {
     if (k == 0 && c.state() == state::created)
-      throw refused(items.name() + ": it does not begin before the first beat: start recording before load()");
+      throw refused(items.name() +
+                    ": it does not begin before the first beat: start recording before load()");
   }
 
   void forget_beat() {
-    for (int o = 0; o < output_count; ++o) recorded[words(layout.origin[at(o)])] = never;
+    for (int o = 0; o < output_count; ++o) recorded[at(layout.origin[at(o)])] = never;
     for (auto& one : this->played) one.forget();
     reason.clear();
     failed_component.clear();
@@ -125,17 +124,17 @@ private:
 
   void take(const recorded_sample& s, std::int64_t beat_of_sample) {
     const auto refuse_sample = [&](const std::string& why) {
-      throw refused(items.name() + ": a sample of `" + cca::detail::path_of_output<Graph>(s.output) + "` of beat " +
-                    std::to_string(beat_of_sample) + why);
+      throw refused(items.name() + ": a sample of `" + cca::detail::path_of_output<Graph>(s.output) +
+                    "` of beat " + std::to_string(beat_of_sample) + why);
     };
     if (beat_of_sample < k)
       refuse_sample(" comes after samples of beat " + std::to_string(k) +
                     ": another tool has changed the order of messages");
     if (is_playing && this->takes_several(s.output)) this->keep_earlier(s.output, recorded.data());
-    else if (recorded[words(layout.origin[at(s.output)])] != never)
+    else if (recorded[at(layout.origin[at(s.output)])] != never)
       refuse_sample(" is there twice: are two recordings merged in this file?");
-    recorded[words(layout.origin[at(s.output)])] = s.origin;
-    std::memcpy(&recorded[words(layout.at[at(s.output)])], s.coordinates.data(),
+    recorded[at(layout.origin[at(s.output)])] = s.origin;
+    std::memcpy(&recorded[at(layout.at[at(s.output)])], s.coordinates.data(),
                 sizeof(double) * s.coordinates.size());
     hashes[at(s.output)] = s.hash;
     has_samples = true;
@@ -156,7 +155,7 @@ private:
       each_node([&]<class C>(int node, C& component) {
         if constexpr (HasParameters<C>)
           if (node == e.node) {  // before load() they may be anything: load() checks them
-            if constexpr (!Items::is_whole) check_names<C>(node);
+            check_names<C>(node);
             take_parameters<Graph>(component, node, e.parameters, items.name(), c.state() != state::created);
           }
       });
@@ -245,16 +244,7 @@ private:
     this->keep_taken(recorded.data(), [this](int node) { return is_played(node); });
     each_node([&]<class C>(int node, C& component) {
       if constexpr (requires { component.forget(); }) {
-        component.forget();
-        for (const auto& call : plan.calls) {
-          if (call.node != node || !call.function) continue;
-          for (int p = 0; p < call.function->output_count; ++p) {
-            const int o = call.first_output + p;
-            if (const std::int64_t origin = recorded[words(layout.origin[at(o)])]; origin != never)
-              component.put(call.phase, p, origin,
-                            reinterpret_cast<const double*>(&recorded[words(layout.at[at(o)])]));
-          }
-        }
+        feed_frame<Graph>(component, node, recorded.data());
         if (!reason.empty() && failed_component == cca::detail::path_of_node<Graph>(node))
           component.fail(reasons.emplace_back(reason).c_str());
       }
@@ -271,10 +261,10 @@ private:
       const bool is_known = items.has(o) && items.ran_here(o);
       if (is_computed) compared.add_output(o, is_known);
       if (!is_known) continue;
-      const auto origin = words(layout.origin[at(o)]);
+      const auto origin = at(layout.origin[at(o)]);
       const std::int64_t was = recorded[origin], is = replayed_frame[origin];
       const auto size = static_cast<std::size_t>(layout.size[at(o)]);
-      const auto* const then = &recorded[words(layout.at[at(o)])];
+      const auto* const then = &recorded[at(layout.at[at(o)])];
       const auto* const now = replayed_frame + layout.at[at(o)];
       if (was == never && is == never) continue;
       if (items.is_same(o, was, hashes[at(o)], then, is, now, size)) {
@@ -290,10 +280,10 @@ private:
     const bool has_faulted = c.state() == state::faulted;
     const std::string path = c.fault_path(), now = has_faulted ? std::string(c.fault().reason()) : "";
     const bool by_component = has_faulted || !failed_component.empty();
-    if (by_component && (now != reason || (has_faulted && path != failed_component)))
-      differ_in_fault(reason.empty() ? path : failed_component, fault_text(reason, failed_component),
-                      fault_text(now, path));
-    else if (by_component) compared.add();
+    if (by_component && (now != reason || (has_faulted && path != failed_component))) {
+      result.component = reason.empty() ? path : failed_component;
+      state_difference(result.component, fault_text(reason, failed_component), fault_text(now, path));
+    } else if (by_component) compared.add();
   }
 
   void end_at_gap(int o) {
@@ -306,7 +296,8 @@ private:
     if constexpr (Modes<Graph>)
       if (!mode_recorded.empty() && c.mode() != mode_recorded) {
         result.beat = k;
-        result.difference = "beat " + std::to_string(k) + told_both("the mode `" + mode_recorded + "`", "`" + std::string(c.mode()) + "`");
+        result.difference = "beat " + std::to_string(k) +
+                            both("the mode `" + mode_recorded + "`", "`" + std::string(c.mode()) + "`");
         return false;
       }
     return true;
@@ -319,20 +310,15 @@ private:
     const auto& call = plan.calls[at(plan.outputs[at(o)].call)];
     result.component = cca::detail::path_of_node<Graph>(call.node);
     result.port = cca::detail::port_of(call, plan.outputs[at(o)]).name;
-    state_difference("`" + result.component + "." + result.port + "`, beat " + std::to_string(k) +
-                     told_both(was, is));
-  }
-  static std::string told_both(const std::string& was, const std::string& is) {
-    return std::string(": ") + Items::there + " " + was + ", " + Items::here + " " + is;
+    state_difference(result.component + "." + result.port, was, is);
   }
   // It counts, unless the clock has already made the environments another program than a loop.
-  void state_difference(const std::string& what) {
+  void state_difference(const std::string& path, const std::string& was, const std::string& is) {
     if (!clock_says.empty()) result.ended_early = "it can't be replayed " + clock_says;
-    else result.beat = k, result.difference = what;
+    else result.beat = k, result.difference = "`" + path + "`, beat " + std::to_string(k) + both(was, is);
   }
-  void differ_in_fault(const std::string& path, const std::string& was, const std::string& is) {
-    result.component = path;
-    state_difference("`" + path + "`, beat " + std::to_string(k) + told_both(was, is));
+  static std::string both(const std::string& was, const std::string& is) {
+    return std::string(": ") + Items::of_there + " " + was + ", " + Items::of_here + " " + is;
   }
 
   Items items;

@@ -11,11 +11,13 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/base/refused.hpp>
+#include <cca/record/file/role_in_replay.hpp>
 #include <cca/record/file/twin_stream.hpp>
 #include <cca/record/mcap/bytes.hpp>
 #include <cca/record/messages/architecture_text.hpp>
 #include <cca/record/replay/compared_outputs.hpp>
 #include <cca/record/replay/recorded_channels.hpp>
+#include <cca/runtime/environments/exchange/cycle_results.hpp>
 
 namespace cca::recording::detail {
 
@@ -27,9 +29,8 @@ class twin_items {
   static std::size_t at(int n) { return cca::detail::array_size(n); }
 
 public:
-  static constexpr const char *called_whole = "the robot's door", *there = "robot", *here = "twin",
+  static constexpr const char *called_whole = "the robot's door", *of_there = "robot", *of_here = "twin",
                               *why_missing = "it was lost on the way";
-  static constexpr bool is_whole = false;
 
   explicit twin_items(std::string called) : of(std::move(called)) {}
 
@@ -147,11 +148,17 @@ private:
   void check() {
     is_checked = true;
     if (!has_architecture) refuse("it states no architecture");
-    const auto& plan = cca::detail::plan_of<Graph>;
     for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o)
-      if (plan.calls[at(plan.outputs[at(o)].call)].phase == cca::detail::phase_of_beat::sense && !has(o))
+      if (!has(o) && role_in_replay<Graph>(o) == replay_role::fed && !is_beside_the_beat(o))
         throw refused(of + ": what `" + cca::detail::path_of_output<Graph>(o) +
                       "` sensed is not sent: a program that records only some ports has no twin");
+  }
+  // As in a recording: an output of a free-running environment that is not read outside of it.
+  static bool is_beside_the_beat([[maybe_unused]] int o) {
+    if constexpr (cca::detail::has_free_running<Graph>)
+      return cca::detail::is_free_node<Graph>(cca::detail::node_of_output<Graph>(o)) &&
+             !cca::detail::leaves_freely<Graph>::holds(at(o));
+    else return false;
   }
   [[noreturn]] void refuse(const std::string& what) const {
     throw refused(of + ": its stream is damaged: " + what);
