@@ -128,7 +128,7 @@ export class Twin {
     const told = { component, port, beat, robot: shortened(found?.[1] ?? ''), twin: shortened(found?.[2] ?? difference) };
     const channel = this.channels.get(`/${component}.${port}`.replaceAll('.', '/'));
     if (told.robot === 'other bits' && channel !== undefined)
-      await this.ask(`value?channel=${channel}&beat=${beat}`).then((data) => { told.robot = sampleText(data); }, () => {});
+      await this.ask(`value?channel=${channel}&beat=${beat}`).then((data) => { told.robot = sampleText(data); }, () => { told.robot = 'other bits (its value is no longer kept)'; });
     this.say('differs', told);
     this.stop();
   }

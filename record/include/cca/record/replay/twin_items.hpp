@@ -177,7 +177,7 @@ private:
     replay_role role = replay_role::none;
     typename channels::use is{};
   };
-  struct output {
+  struct known_output {
     bool is_known = false, is_hashed = false;
     port_hash hash{};
   };
@@ -186,7 +186,7 @@ private:
   std::size_t taken = 0;
   std::map<std::uint16_t, use> by_channel{};
   std::map<int, std::string> schemas{};
-  std::array<output, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)> outputs{};
+  std::array<known_output, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)> outputs{};
   std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.node_count + 1)> nodes{};
   std::int64_t k = 0;
   bool is_checked = false, has_architecture = false;
