@@ -29,8 +29,42 @@ struct other_graph : cca::graph<cca::rate<1000>,
                                 cca::wire<"limits.safe", "leg.command">>,
                      cca::recordable {};
 
-// The stream of a run, and where each sample of `marked` is in it. `before(topic, beat, message)` may change
-// a message, or leave it out.
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"gait", gait>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
+                         cca::node<"leg", leg>,
+                         cca::wire<"leg.angles", "gait.x">,
+                         cca::wire<"gait.angles", "limits.command">,
+                         cca::wire<"limits.safe", "leg.command">> {};
+struct stand : cca::graph<cca::rate<1000>,
+                          cca::node<"leg", leg>,
+                          cca::node<"stance", stance>,
+                          cca::node<"limits", cca::limiter<leg_angles>>,
+                          cca::wire<"leg.angles", "stance.x">,
+                          cca::wire<"stance.angles", "limits.command">,
+                          cca::wire<"limits.safe", "leg.command">> {};
+struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>>, cca::recordable {};
+
+struct swing_alone {
+  auto process(cca::in<"x", leg_angles> x) -> cca::out<"angles", leg_angles> { return 0.9 * x.vector(); }
+};
+// A robot that senses more than its components read.
+struct seeing_leg : leg {
+  auto sense() -> std::tuple<cca::out<"angles", leg_angles>, cca::out<"unread", leg_angles>> {
+    return {leg::sense(), Eigen::Vector2d(0.1, -0.2)};
+  }
+};
+struct seeing : cca::graph<cca::rate<1000>,
+                           cca::node<"swing", swing_alone, cca::timed<1>>,
+                           cca::node<"limits", cca::limiter<leg_angles>>,
+                           cca::node<"leg", seeing_leg>,
+                           cca::wire<"leg.angles", "swing.x">,
+                           cca::wire<"swing.angles", "limits.command">,
+                           cca::wire<"limits.safe", "leg.command">,
+                           cca::observe<"leg.unread">>,
+                cca::recordable {};
+
+// The stream of a run. `before(topic, beat, message)` may change a message, or leave it out.
 struct streaming final : cca::recording::message_sink {
   using change = bool (*)(const std::string& topic, std::int64_t beat, bytes& message);
   explicit streaming(change c = nullptr) : before(c) {}
@@ -110,6 +144,37 @@ TEST_CASE("a twin computes the same bits") {
   CHECK(result);
   CHECK(result.beats > 3000);
   CHECK(result.samples > 2 * result.beats);
+}
+
+TEST_CASE("the twin of a set of modes goes through the same modes") {
+  const auto drive = [](auto& c) {
+    c.run(cca::for_beats<250>{});  // a component switches in beat 200
+    c.template set<"gait">({0.4});
+    c.run(cca::for_beats<250>{});
+    c.template switch_to<"stand">();
+    c.run(cca::for_beats<100>{});
+  };
+  const auto result = twin_of<legs>(stream_of_run<legs>(nullptr, drive));
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == 600);
+  const auto other = twin_of<legs>(stream_of_run<legs>(
+      [](const std::string& topic, std::int64_t beat, bytes&) { return topic != "/cca/mode" || beat < 400; },
+      drive));
+  CHECK_FALSE(other);
+  CHECK(other.beat == 500);
+}
+
+TEST_CASE("what no component reads is not sent") {
+  const auto drive = [](auto& c) { c.run(cca::for_beats<100>{}); };
+  const bytes stream = stream_of_run<seeing>(nullptr, drive);
+  const auto result = twin_of<seeing>(stream);
+  INFO(result);
+  CHECK(result);
+  CHECK(result.samples == 2 * 100);
+  const std::string_view all(reinterpret_cast<const char*>(stream.data()), stream.size());
+  CHECK(all.find("/leg/angles") != all.npos);
+  CHECK(all.find("/leg/unread") == all.npos);
 }
 
 TEST_CASE("the stream may come in any pieces") {
