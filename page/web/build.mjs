@@ -20,13 +20,13 @@ const isForRecordings = program === '--knows';
 const base64 = (all) => Object.fromEntries(all.map((name) => [basename(name), readFileSync(name).toString('base64')]));
 const compressed = isForRecordings ? '' : packed(program);
 const known = isForRecordings ? JSON.parse(readFileSync(names[0], 'utf8')) : [];
-// The connection to a running program is in a thread of its own, whose code is a text in the page.
-const worker = await build({ entryPoints: [`${here}/src/door_worker.js`], bundle: true, minify: true, format: 'iife', target: 'es2022', write: false });
+// The connection to a running program and its twin are in threads of their own, whose code is a text in the page.
+const thread = async (name) => JSON.stringify((await build({ entryPoints: [`${here}/src/${name}.js`], bundle: true, minify: true, format: 'iife', target: 'es2022', write: false })).outputFiles[0].text);
 const bundle = await build({
   entryPoints: [`${here}/src/main.js`],
   bundle: true, minify: true, format: 'esm', target: 'es2022', write: false,
   loader: { '.css': 'text' },
-  define: { PROGRAM: JSON.stringify(isForRecordings ? '' : '@@PROGRAM@@'), FILES: JSON.stringify(isForRecordings ? {} : base64(names)), KNOWN: JSON.stringify(known), DOOR_WORKER: JSON.stringify(worker.outputFiles[0].text) },
+  define: { PROGRAM: JSON.stringify(isForRecordings ? '' : '@@PROGRAM@@'), FILES: JSON.stringify(isForRecordings ? {} : base64(names)), KNOWN: JSON.stringify(known), DOOR_WORKER: await thread('door_worker'), TWIN_WORKER: await thread('twin_worker') },
   legalComments: 'inline',
 });
 const script = bundle.outputFiles[0].text.replace('@@PROGRAM@@', () => compressed).replaceAll('</script', '<\\/script');

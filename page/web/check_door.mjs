@@ -6,15 +6,15 @@ import { createServer } from 'node:net';
 import { between, threadTimes } from './threads.mjs';
 
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
-const freePort = () => new Promise((done) => {
+export const freePort = () => new Promise((done) => {
   const server = createServer().listen(0, '127.0.0.1', () => { const { port } = server.address(); server.close(() => done(port)); });
 });
 
 // A program with a door, in a folder of its own; `ended`: its exit code.
-async function run(options, port, token, folder) {
+export async function run(options, port, token, folder, more = []) {
   const file = `${folder}/token`;
   writeFileSync(file, `${token}\n`, { mode: 0o600 });
-  const child = spawn(options.program, ['--door', String(port), '--door-token', file, '--seconds', '600', '--quiet'], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+  const child = spawn(options.program, ['--door', String(port), '--door-token', file, '--seconds', '600', '--quiet', ...more], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
   child.ended = new Promise((done) => child.on('exit', (code, signal) => done(signal ?? code)));
   await new Promise((done, refuse) => {
     child.stdout.on('data', (text) => { if (/http:/.test(text)) done(); });

@@ -53,7 +53,7 @@ expect(await answer(['foxglove.sdk.v1'], { Host: 'evil.example' }) === 403, 'ano
 // It reads without a token, and changes nothing.
 const reader = new viewer();
 await until(() => reader.topic('/joint1') && reader.services, 'channels and services');
-expect(reader.seen.serverInfo[0]?.capabilities.length === 5, 'capabilities');
+expect(reader.seen.serverInfo[0]?.capabilities.length === 6, 'capabilities');
 const joint = reader.topic('/joint1');
 expect(joint.encoding === 'cdr' && joint.schemaEncoding === 'ros2msg' && joint.schema.includes('float64[7]'), `channel ${JSON.stringify(joint)}`);
 const subscription = reader.client.subscribe(joint.id);

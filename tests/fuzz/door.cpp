@@ -78,6 +78,16 @@ void greet(std::string_view bytes) {
     fuzz::must(g.answer.starts_with("HTTP/1.1 101 ") && g.answer.find(token) == std::string::npos);
 }
 
+// With something to ask for.
+const net::kept_for_twins& kept_twins() {
+  static net::kept_for_twins twins(1 << 12, "\0asm");
+  const std::string message(4 + 24, '\1');
+  twins.channel(
+      {.id = 1, .topic = "/a", .type = "a", .schema = "", .role = cca::recording::replay_role::computed});
+  for (int i = 0; i < 2000; ++i) twins.message(1, cca::recording::detail::bytes_of(message));
+  return twins;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -91,7 +101,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const cca::detail::door_limits limits;
   net::one_time_keys keys;
   const auto wanted = std::make_unique<net::wanted_channels>();
-  net::hub hub(settings, limits, controls, token, keys, (how & 2) != 0, *wanted);
+  static const net::kept_for_twins& twins = kept_twins();
+  net::hub hub(settings, limits, controls, token, keys, (how & 2) != 0, *wanted, twins);
   hub.channel({.id = 1, .topic = "/a", .type = "a", .is_kept = true});
   net::time_point now{std::chrono::hours(1)};
   net::greeting hello;

@@ -64,7 +64,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   file.holds(all.view().data(), all.size());
   try {
     constexpr std::int64_t most_silent_beats = 1000;
-    const auto result = mcap::replay_run<graph>(file.name(), most_silent_beats).go();
+    const auto result =
+        mcap::replay_run<graph, mcap::recorded_items<graph>>(file.name(), most_silent_beats).go();
     fuzz::must(result.beats >= 0 && result.samples >= 0);
     fuzz::must(result.difference.empty() ? bool(result) == result.ended_early.empty() : !result);
     fuzz::must(!result || result.beats > 0);

@@ -26,6 +26,7 @@ struct run_settings {
   std::string door_address{};                // empty: this machine only
   std::vector<std::string> door_origins{};   // viewers that are pages of other addresses
   std::string door_token{};                  // a file with what a client must know to change anything
+  std::string twin{};                        // its controller as WebAssembly, for the page of the door
   std::string on_lost = "go-on";             // what the run does when who commands is gone: go-on, hold, stop
   bool paused = false;                       // waits for `go on` before its first beat
   std::map<std::string, std::string> notes{};  // for the recording: a seed, a version

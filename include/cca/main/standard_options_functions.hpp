@@ -119,7 +119,7 @@ inline std::string why_not_in_replay(std::string_view option) {
   if (option == "--config") return "a replay takes the parameters from the recording";
   if (option == "--seconds") return "a replay is as long as the recording";
   if (option == "--pace" || option == "--commands" || option == "--paused" || option.starts_with("--door") ||
-      option == "--on-lost")
+      option == "--twin" || option == "--on-lost")
     return "a replay is always a fast run without a pause";
   if (option == "--only" || option == "--shared-memory")
     return "a replay computes all environments in one loop";
@@ -165,6 +165,8 @@ CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
              "lets a viewer connect that is a page of that address, such as https://app.foxglove.dev");
   offer_file(line, "--door-token", s.door_token,
              "what a client must know to change anything (made anew for each run)");
+  offer_file(line, "--twin", s.twin,
+             "the controller as WebAssembly, which the page of the door runs beside this one");
   line.text(
       "--on-lost WHAT",
       [&s](const std::string& text) {
@@ -176,8 +178,9 @@ CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
 }
 
 CCA_MAIN_INLINE void refuse_contradictions(const run_settings& s) {
-  if (!s.door && (!s.door_address.empty() || !s.door_origins.empty() || !s.door_token.empty()))
-    throw command_line_error("--door-address, --door-origin and --door-token: open a door, by --door");
+  if (!s.door &&
+      !(s.door_address.empty() && s.door_origins.empty() && s.door_token.empty() && s.twin.empty()))
+    throw command_line_error("--door-address, --door-origin, --door-token and --twin: open a door, by --door");
   if (s.record.empty() && s.page.empty() && !s.record_scopes.empty())
     throw command_line_error("--record-only: say by --record or --page into which file");
   if (!s.replay.empty() && !(s.record.empty() && s.page.empty() && s.trace.empty()))

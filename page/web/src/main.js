@@ -9,6 +9,7 @@ import { parse, range } from './numbers.js';
 import { Plots } from './plots.js';
 import { readRecording } from './recording.js';
 import { RobotView } from './robot.js';
+import { TwinPanel } from './twin_panel.js';
 
 const $ = (id) => document.getElementById(id);
 const settings = new URLSearchParams(location.hash.slice(1));
@@ -541,6 +542,7 @@ function openDoor() {
     refused(why) { say(`refused: ${why}`, true); },
   });
   panel = new DoorPanel(door, say);
+  new TwinPanel(door, new Worker(URL.createObjectURL(new Blob([TWIN_WORKER], { type: 'text/javascript' }))));
   panel.keepToken = (one) => sessionStorage.setItem(memory, one);
   panel.offeredToken = token;
   door.connect(`ws://${location.host}/${once ? `?once=${once}` : ''}`, token);

@@ -155,6 +155,11 @@ public:
   bool whole_batches = true;
   std::vector<std::uint64_t> times{};
   std::vector<std::pair<std::uint32_t, json>> answers{};  // by their calls
+  struct asset {
+    std::uint32_t request;
+    std::string why, data;  // empty: it came; what it is
+  };
+  std::vector<asset> assets{};
   std::uint16_t closed_with = 0;
   std::string why_closed{};
   bool answers_pings = true;
@@ -242,6 +247,17 @@ public:
         most);
     return why;
   }
+  asset fetch(const std::string& uri) {
+    text({{"op", "fetchAsset"}, {"uri", uri}, {"requestId", ++last_call}});
+    asset found{0, "no answer", ""};
+    waits([&] {
+      for (const auto& one : assets)
+        if (one.request == last_call) return found = one, true;
+      return false;
+    });
+    assets.clear();
+    return found;
+  }
   std::string call(const std::string& name, const json& arguments = json::object()) {
     return answer_of(send_call(name, arguments));
   }
@@ -302,6 +318,15 @@ private:
       std::uint32_t call;
       std::memcpy(&call, payload.data() + 5, 4);
       answers.emplace_back(call, json::parse(payload.substr(17)));
+    }
+    if (kind == 2 && payload[0] == 4) {
+      asset one;
+      std::uint32_t words;
+      std::memcpy(&one.request, payload.data() + 1, 4);
+      std::memcpy(&words, payload.data() + 6, 4);
+      (payload[5] == 0 ? one.data : one.why) =
+          payload[5] == 0 ? payload.substr(10) : payload.substr(10, words);
+      assets.push_back(std::move(one));
     }
     return true;
   }

@@ -37,7 +37,7 @@ TEST_CASE("A viewer is let in with either sub-protocol, and told which") {
     CHECK(c.head.find("Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo=\r\n") !=
           std::string::npos);  // of RFC 6455
     CHECK(c.head.find("xtensions") == std::string::npos);
-    CHECK(c.next("serverInfo")["capabilities"].size() == 5);
+    CHECK(c.next("serverInfo")["capabilities"].size() == 6);
   }
   client both(one.port(), token, {.protocols = "chat, foxglove.sdk.v1"});
   CHECK(both.head.find("Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n") != std::string::npos);

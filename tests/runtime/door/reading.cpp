@@ -174,8 +174,8 @@ TEST_CASE("What the door does not offer is refused with a status") {
   CHECK(c.is_told("expected an object of JSON with `op`"));
   c.wire.send(frame_of(0x81, "{\"op\":\"\xff\"}"));
   CHECK(c.is_told("expected an object of JSON with `op`"));
-  c.text({{"op", "fetchAsset"}});
-  CHECK(c.is_told("does not offer \"fetchAsset\""));
+  c.text({{"op", "advertise"}});
+  CHECK(c.is_told("does not offer \"advertise\""));
   c.wire.send(frame_of(0x82, std::string("\1\0\0\0\0data", 9)));
   CHECK(c.is_told("calls of services only"));
   c.wire.send(frame_of(0x82, ""));

@@ -344,7 +344,9 @@ TEST_CASE("of beats of which nothing is recorded, only so many are replayed") {
             if (topic == "/cca/state" && beat_in(data) == 1000) std::memcpy(&data[4], &beat, sizeof beat);
             return true;
           }});
-  const auto later = cca::recording::detail::replay_run<quiet>(other.path, 5000).go();
+  const auto later = cca::recording::detail::replay_run<quiet, cca::recording::detail::recorded_items<quiet>>(
+                         other.path, 5000)
+                         .go();
   CHECK_FALSE(later);
   CHECK(later.beats == 5000);
   CHECK(later.ended_early == "nothing is recorded of more than 5000 beats, before beat 1000000000000");

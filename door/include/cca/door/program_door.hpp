@@ -57,6 +57,7 @@ struct program_door<Host<Graph>> {
     if (!s.door_address.empty()) all.address = s.door_address;
     all.origins = s.door_origins;
     all.token_file = s.door_token;
+    all.twin = s.twin;
     all.on_lost = s.on_lost == "stop"   ? when_lost::stop
                   : s.on_lost == "hold" ? when_lost::hold
                                         : when_lost::go_on;

@@ -43,7 +43,8 @@ struct door_server::inside {
         limits(most),
         controls(of),
         token(door_network::token_of(given)),
-        page(door_network::page_of(given.page)) {
+        page(door_network::file_of(given.page, "page")),
+        twins(given.twin_memory, door_network::file_of(given.twin, "twin")) {
     for (const std::string& one : given.origins) door_network::check_origin(one);
     error wrong;
     const auto address = boost::asio::ip::make_address(settings.address, wrong);
@@ -75,6 +76,7 @@ struct door_server::inside {
   const door_limits limits;
   door_controls& controls;
   const std::string token, page;
+  door_network::kept_for_twins twins;
   door_network::one_time_keys keys{};
   door_network::wanted_channels wanted{};
   bool is_for_others = false;
@@ -82,7 +84,8 @@ struct door_server::inside {
   boost::asio::io_context io{1};
   tcp::acceptor acceptor{io};
   boost::asio::steady_timer regular{io}, soon{io}, later{io};
-  door_network::inbox box{limits, wanted, [this] { boost::asio::post(io, [this] { take_samples(); }); }};
+  door_network::inbox box{limits, wanted, twins,
+                          [this] { boost::asio::post(io, [this] { take_samples(); }); }};
   door_network::inbox::batch batch{};
   std::unique_ptr<door_network::hub> hub{};
   std::list<shared> all{};
@@ -95,7 +98,8 @@ struct door_server::inside {
   static time_point now() { return std::chrono::steady_clock::now(); }
 
   void run() {
-    hub = std::make_unique<door_network::hub>(settings, limits, controls, token, keys, is_for_others, wanted);
+    hub = std::make_unique<door_network::hub>(settings, limits, controls, token, keys, is_for_others, wanted,
+                                              twins);
     accept();
     wait_regularly();
     for (bool runs = true; runs;) {

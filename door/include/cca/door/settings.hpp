@@ -1,6 +1,7 @@
 // How a door is opened.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <string>
@@ -30,6 +31,10 @@ struct door_settings {
   int most_clients = 32;
   bool tells_where = true;             // prints the address and the token at start
   std::string page = page_of_doors();  // an HTML file that is served at `/`; empty: none
+  // Of the live twin: the controller as WebAssembly, which the page runs; empty: none. And how many bytes of
+  // what was sensed are kept for twins that come later; 0: there are none.
+  std::string twin{};
+  std::size_t twin_memory = 64 << 20;
 };
 
 }  // namespace cca

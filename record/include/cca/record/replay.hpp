@@ -28,6 +28,7 @@
 #include <string>
 
 #include <cca/graph/marks/unmarked.hpp>
+#include <cca/record/replay/recorded_beats.hpp>
 #include <cca/record/replay/replay_run.hpp>
 #include <cca/record/replay/result.hpp>
 
@@ -42,7 +43,7 @@ replay_result replay(const std::string& file, Prepare prepare) {
   if constexpr (!is_recordable) {
     return {};
   } else if constexpr (well_formed<Graph>) {
-    const auto run = std::make_unique<detail::replay_run<Graph>>(file);
+    const auto run = std::make_unique<detail::replay_run<Graph, detail::recorded_items<Graph>>>(file);
     prepare(run->robot());
     return run->go();
   } else {

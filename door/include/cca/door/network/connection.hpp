@@ -26,12 +26,13 @@ namespace asio = boost::asio;
 using tcp = asio::ip::tcp;
 using error = boost::system::error_code;
 
-inline std::string page_of(const std::string& name) {
+// `what`: the setting that names it, `page` or `twin`.
+inline std::string file_of(const std::string& name, const std::string& what) {
   if (name.empty()) return {};
   std::ifstream file(name, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file || text.empty())
-    throw refused("door_settings::page: the page " + name + " can't be read, or is empty");
+    throw refused("door_settings::" + what + ": the file " + name + " can't be read, or is empty");
   return text;
 }
 

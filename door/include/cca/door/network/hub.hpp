@@ -20,6 +20,7 @@
 #include <cca/door/network/requests_functions.hpp>
 #include <cca/door/network/services_functions.hpp>
 #include <cca/door/network/tokens_functions.hpp>
+#include <cca/door/network/twin_functions.hpp>
 #include <cca/door/settings.hpp>
 
 namespace cca::detail::door_network {
@@ -33,7 +34,8 @@ public:
       std::string token,
       one_time_keys&,
       bool guards_reading,
-      wanted_channels&);
+      wanted_channels&,
+      const kept_for_twins&);
   hub(const hub&) = delete;
   hub& operator=(const hub&) = delete;
 
@@ -75,6 +77,7 @@ private:
   door_controls& controls;
   const std::string token;
   one_time_keys& keys;
+  const kept_for_twins& twins;
   const bool guards_reading;
   std::list<door_client> clients{};
   shown_channels channels;
@@ -95,6 +98,7 @@ private:
   void welcome(door_client&);
   void text(door_client&, std::string_view, time_point now);
   void binary(door_client&, std::string_view, time_point now);
+  void fetch_asset(door_client&, const json&);
   void read_parameters(door_client&, const json&, bool is_description, time_point now);
   bool read_now(const waiting_read&, time_point now);
   void subscribe_parameters(door_client&, const json&, bool is_more);

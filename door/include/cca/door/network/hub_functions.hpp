@@ -20,12 +20,14 @@ inline hub::hub(const door_settings& given,
                 std::string secret,
                 one_time_keys& once,
                 bool reading_too,
-                wanted_channels& wanted)
+                wanted_channels& wanted,
+                const kept_for_twins& kept)
     : settings(given),
       limits(all),
       controls(of),
       token(std::move(secret)),
       keys(once),
+      twins(kept),
       guards_reading(reading_too),
       channels(wanted),
       requests(of, all),
@@ -125,6 +127,7 @@ inline void hub::text(door_client& c, std::string_view payload, time_point now) 
       complain(id && channels.unsubscribe(c, *id) ? ""
                                                   : "unsubscribe: there is no subscription " + text_of(one));
     });
+  if (op == "fetchAsset") return fetch_asset(c, *m);
   if (op == "getParameters") return read_parameters(c, *m, false, now);
   if (op == "cca.describe") return read_parameters(c, *m, true, now);
   if (op == "setParameters") return set_parameters(c, *m, now);
@@ -137,6 +140,13 @@ inline void hub::text(door_client& c, std::string_view payload, time_point now) 
   }
   if (op == "unsubscribeConnectionGraph") return;  // the graph never changes
   c.say(status_message(2, "this door does not offer " + text_of(op)));
+}
+
+inline void hub::fetch_asset(door_client& c, const json& m) {
+  const auto request = small_number(member(m, "requestId"));
+  if (!request) return c.say(status_message(2, "fetchAsset: expected a whole number requestId"));
+  if (!c.out.answer(frame_kind::binary, twins.answer(*request, text_member(m, "uri"))))
+    c.close(unwelcome, "this client does not read its answers");
 }
 
 inline void hub::binary(door_client& c, std::string_view payload, time_point now) {

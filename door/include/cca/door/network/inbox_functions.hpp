@@ -16,6 +16,7 @@
 
 #include <cca/door/network/channels_functions.hpp>
 #include <cca/door/network/limits.hpp>
+#include <cca/door/network/twin_functions.hpp>
 #include <cca/record/file/message_sink.hpp>
 
 namespace cca::detail::door_network {
@@ -41,10 +42,11 @@ public:
   };
 
   // `wake` comes from the recording's thread, at most once before the next `take`.
-  inbox(const door_limits& all, wanted_channels& which, std::function<void()> function)
-      : limits(all), wanted(which), wake(std::move(function)) {}
+  inbox(const door_limits& all, wanted_channels& which, kept_for_twins& kept, std::function<void()> function)
+      : limits(all), wanted(which), twins(kept), wake(std::move(function)) {}
 
   void channel(const recording::channel_info& one) override {
+    twins.channel(one);
     if (one.is_kept)
       wanted.set(one.id, true);  // its next message may come before the door's thread has looked
     {
@@ -58,6 +60,7 @@ public:
                std::uint64_t,
                recording::detail::byte_view data) override {
     latest.store(log_time, std::memory_order_relaxed);
+    twins.message(channel, data);
     if (!wanted[channel] || channel >= first_own_channel) return;
     bool is_much;
     {
@@ -75,6 +78,7 @@ public:
     if (is_much) call();
   }
   void metadata(const std::string& name, const recording::detail::text_map& entries) override {
+    twins.metadata(name, entries);
     {
       const std::scoped_lock lock(guard);
       waiting.notes[name] = entries;
@@ -102,6 +106,7 @@ private:
   };
   const door_limits& limits;
   wanted_channels& wanted;
+  kept_for_twins& twins;
   std::function<void()> wake;
   std::mutex guard{};
   batch waiting{};

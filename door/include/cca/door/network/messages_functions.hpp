@@ -20,8 +20,8 @@ namespace cca::detail::door_network {
 inline std::string server_info(const std::string& program, const std::string& session) {
   return written({{"op", "serverInfo"},
                   {"name", program.empty() ? "cca" : "cca: " + program},
-                  {"capabilities",
-                   json::array({"parameters", "parametersSubscribe", "services", "connectionGraph", "time"})},
+                  {"capabilities", json::array({"parameters", "parametersSubscribe", "services",
+                                                "connectionGraph", "time", "assets"})},
                   {"supportedEncodings", json::array({"json"})},
                   {"sessionId", session}});
 }

@@ -23,10 +23,11 @@ public:
                         std::string_view type,
                         std::string_view schema,
                         const text_map& metadata = {},
-                        bool is_kept = false) {
+                        bool is_kept = false,
+                        replay_role role = replay_role::none) {
     const std::scoped_lock lock(guard);
     channels.push_back({{static_cast<std::uint16_t>(channels.size() + 1), std::string(topic),
-                         std::string(type), std::string(schema), metadata, is_kept}});
+                         std::string(type), std::string(schema), metadata, is_kept, role}});
     for (message_sink* one : sinks) one->channel(channels.back().info);
     return channels.back().info.id;
   }

@@ -8,6 +8,10 @@
 
 namespace cca::recording {
 
+// What a replay does with a channel: nothing; compute it anew; feed it, because a resource node sensed it; or
+// repeat what happened between two beats.
+enum class replay_role { none, computed, fed, event };
+
 // The number of a channel is that of the recording, from 1 on.
 struct channel_info {
   std::uint16_t id = 0;
@@ -15,6 +19,7 @@ struct channel_info {
   detail::text_map metadata{};
   // A reader that comes later gets the last message of this channel: states, parameters, what the robot is.
   bool is_kept = false;
+  replay_role role = replay_role::none;
 };
 
 class message_sink {

@@ -34,23 +34,18 @@
 #include <cca/graph/items/deployment.hpp>
 #include <cca/record/file/event_ring.hpp>
 #include <cca/record/file/message_outlets.hpp>
+#include <cca/record/file/role_in_replay.hpp>
 #include <cca/record/messages/architecture_text.hpp>
 #include <cca/record/messages/parameter_message.hpp>
 #include <cca/record/messages/sample_message.hpp>
 #include <cca/record/messages/viewer_message.hpp>
 #include <cca/record/file/settings.hpp>
 #include <cca/record/file/shown_body.hpp>
+#include <cca/record/file/topics.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/observers/frame_layout.hpp>
 
 namespace cca::recording::detail {
-
-inline constexpr std::string_view state_topic = "/cca/state", fault_topic = "/cca/fault",
-                                  lost_topic = "/cca/lost", mode_topic = "/cca/mode",
-                                  part_topic = "/cca/part", freely_topic = "/cca/free_running",
-                                  late_topic = "/cca/late", skipped_topic = "/cca/skipped",
-                                  dropped_topic = "/cca/dropped", parameter_topics = "/cca/parameters/",
-                                  viewer_topics = "/ros2";
 
 // "dmp", "dmp.status", "dmp.*" or "*".
 inline bool is_in_scope(std::string_view path, std::string_view scope) {
@@ -92,8 +87,9 @@ public:
           std::erase(unused, scope);
         }
       is_wanted = is_wanted && of.outputs[cca::detail::array_size(o)];
-      ports.push_back(is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o))
-                                : std::uint16_t{0});
+      ports.push_back(
+          is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o), role_in_replay<Graph>(o))
+                    : std::uint16_t{0});
       if (is_wanted && s.viewer_hz > 0) add_view(o, path);
     }
     if (!unused.empty()) throw refused("cca::record: there is no port under `" + unused.front() + "`");
@@ -103,36 +99,41 @@ public:
       const std::string path = cca::detail::path_of_node<Graph>(n);
       nodes.push_back(type ? to_all.channel(std::string(parameter_topics) + topic_of(path).substr(1),
                                             message_type(path) + "_parameters", parameter_schema(*type), {},
-                                            is_kept)
+                                            is_kept, event)
                            : std::uint16_t{0});
     }
-    state = to_all.channel(state_topic, "cca/msg/state", "int64 beat\nstring state\n", {}, is_kept);
+    state = to_all.channel(state_topic, "cca/msg/state", "int64 beat\nstring state\n", {}, is_kept, event);
     fault = to_all.channel(fault_topic, "cca/msg/fault", "int64 beat\nstring component\nstring reason\n", {},
-                           is_kept);
+                           is_kept, event);
     view_period = s.viewer_hz > 0 ? static_cast<std::int64_t>(1e9 / s.viewer_hz) : 0;
     const std::string beats = "int64 beat  # the first\nint64 beats\n", environment = "string environment\n";
-    lost = to_all.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats);
+    lost = to_all.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats, {},
+                          false, event);
     if (has_environments) {
-      late = to_all.channel(late_topic, "cca/msg/late", "int64 beat\n" + environment + "string from\n");
-      skipped = to_all.channel(skipped_topic, "cca/msg/skipped", beats + environment);
+      late = to_all.channel(late_topic, "cca/msg/late", "int64 beat\n" + environment + "string from\n", {},
+                            false, event);
+      skipped = to_all.channel(skipped_topic, "cca/msg/skipped", beats + environment, {}, false, event);
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
       if (s.viewer_hz > 0) body.emplace(to_all, cca::detail::space_of_output<Graph>);
     if constexpr (cca::detail::has_free_running<Graph>) {
       freely = to_all.channel(freely_topic, "cca/msg/free_running",
                               "int64 beat  # from which on they ran in a wall-clock run\n"
-                              "bool freely  # false: or in a fast run again\n");
-      dropped = to_all.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n");
+                              "bool freely  # false: or in a fast run again\n",
+                              {}, false, event);
+      dropped = to_all.channel(dropped_topic, "cca/msg/dropped", "int64 beat\nint64 samples\nstring port\n",
+                               {}, false, event);
     }
     if (!of.modes.empty())
       mode = to_all.channel(mode_topic, "cca/msg/mode",
                             "int64 beat  # from which on it is active\nstring mode\n"
                             "bool requested  # by a component\n",
-                            {}, is_kept);
+                            {}, is_kept, event);
     if (cca::detail::counts_of<Graph>.part_count > 0)
       part = to_all.channel(part_topic, "cca/msg/part",
                             "int64 beat  # from which on it rests, or runs again\nstring part\n"
-                            "bool stopped\nbool requested  # by a component\n");
+                            "bool stopped\nbool requested  # by a component\n",
+                            {}, false, event);
   }
 
   void note(const std::string& name, const text_map& entries) { to_all.metadata(name, entries); }
@@ -187,13 +188,15 @@ public:
 
 private:
   static constexpr bool is_kept = true;  // the last message, for who comes later
+  static constexpr replay_role event = replay_role::event;
 
   static std::uint64_t time_of(std::int64_t k) { return static_cast<std::uint64_t>(k * period); }
-  std::uint16_t port_channel(const std::string& path, const cca::detail::space_info& space) {
+  std::uint16_t port_channel(const std::string& path,
+                             const cca::detail::space_info& space,
+                             replay_role role) {
     return to_all.channel(topic_of(path), message_type(space.name), sample_schema(space),
-                          sample_metadata(space));
+                          sample_metadata(space), false, role);
   }
-
   void write_sample(int o, std::int64_t origin, const std::int64_t* coordinates, int size, std::int64_t k) {
     message.clear();
     message.add(std::uint32_t{0x0100}).add(k).add(origin);

@@ -9,7 +9,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/items/deployment.hpp>
-#include <cca/record/replay/recorded_beats.hpp>
+#include <cca/record/replay/recorded_channels.hpp>
 #include <cca/record/replay/replayed.hpp>
 #include <cca/runtime/publish.hpp>
 #include <cca/runtime/observers/beat_tap.hpp>
@@ -68,6 +68,21 @@ struct playing_tap : cca::detail::beat_tap<replaying<Graph>> {
   void failed(int, const char*, std::int64_t) noexcept override {}
   void controller_is_gone() noexcept override {}
 };
+
+// What is in a frame of a node that does not compute.
+template <class Graph, class Component>
+void feed_frame(Component& component, int node, const std::int64_t* frame) {
+  constexpr const auto& layout = cca::detail::frame_layout_of<Graph>;
+  component.forget();
+  for (const auto& call : cca::detail::plan_of<Graph>.calls) {
+    if (call.node != node || !call.function) continue;
+    for (int p = 0; p < call.function->output_count; ++p) {
+      const std::size_t o = cca::detail::array_size(call.first_output + p);
+      if (const std::int64_t origin = frame[layout.origin[o]]; origin != never)
+        component.put(call.phase, p, origin, reinterpret_cast<const double*>(frame + layout.at[o]));
+    }
+  }
+}
 
 template <class Graph>
 struct tap_of;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -20,38 +21,22 @@
 #include <cca/record/mcap/reader.hpp>
 #include <cca/record/file/recorded_messages.hpp>
 #include <cca/record/replay/architecture_difference.hpp>
+#include <cca/record/replay/compared_outputs.hpp>
+#include <cca/record/replay/recorded_channels.hpp>
 #include <cca/runtime/environments/exchange/cycle_results.hpp>
 
 namespace cca::recording::detail {
 
-// One message of a recording.
-struct recorded_sample {
-  int output = 0;
-  std::int64_t origin = 0;
-  std::vector<double> coordinates{};
-};
-struct recorded_event {
-  event_kind kind{};
-  int node = -1;            // parameters
-  std::string text{};       // the state, the mode, the part, the reason of a fault, the environment
-  std::string component{};  // of a fault; of late samples the environment that they come from
-  bool requested = false;   // a mode or a part, by a component
-  bool stopped = false;     // a part
-  bool freely = false;      // from here on a wall-clock run
-  std::vector<unsigned char> parameters{};
-};
-struct recorded_item {
-  std::int64_t beat = 0;
-  std::optional<recorded_sample> sample{};
-  std::optional<recorded_event> event{};
-  std::int64_t lost = 0;     // beats
-  std::int64_t dropped = 0;  // samples of this output, in this beat
-  int dropped_by = 0;
-};
-
 template <class Graph>
 class recorded_items {
+  using channels = recorded_channels<Graph>;
+  using channel_use = typename channels::use;
+  using use_kind = typename channels::kind;
+
 public:
+  static constexpr const char *called_whole = "the recording", *of_there = "recorded", *of_here = "replayed",
+                              *why_missing = "another tool has left out or moved messages";
+
   explicit recorded_items(const std::string& name) : file(name), called(name) {
     mcap_reader whole(name);
     std::int64_t messages = 0;
@@ -90,6 +75,20 @@ public:
     const auto found = parameter_schemas.find(node);
     return found == parameter_schemas.end() ? nullptr : &found->second;
   }
+  const std::string& name() const { return called; }
+  // `was`: the origin that was recorded.
+  static bool is_same(int,
+                      std::int64_t was,
+                      std::uint32_t,
+                      const std::int64_t* then,
+                      std::int64_t is,
+                      const std::int64_t* now,
+                      std::size_t size) {
+    return was == is && std::memcmp(then, now, 8 * size) == 0;
+  }
+  static std::string text_of(int, std::int64_t was, const std::int64_t* then, std::size_t size) {
+    return sample_text(was, then, size);
+  }
   // Why the file can't be read to its end; empty: it can.
   const std::string& damage() const { return damaged; }
   // Why the recording is not whole; empty: it is. A recorder that is closed says so; what another tool has
@@ -104,9 +103,9 @@ public:
     for (mcap_message m; file.next(m);) {
       const auto found = by_channel.find(m.channel);
       if (found == by_channel.end() || found->second.what == use_kind::none) continue;
-      if (!read(m, found->second, item))
+      if (!channels::read(m.data, found->second, item))
         throw refused(called + ": a message of " + file.channels().at(m.channel).topic + " can't be read");
-      if (item.beat > last_beat)
+      if (item.beat > channels::last_beat)
         throw refused(called + ": a message of " + file.channels().at(m.channel).topic + " is of beat " +
                       std::to_string(item.beat) + ", whose time no clock can hold");
       return true;
@@ -115,28 +114,6 @@ public:
   }
 
 private:
-  enum class use_kind {
-    none,
-    sample,
-    parameters,
-    state,
-    fault,
-    lost,
-    mode,
-    part,
-    freely,
-    late,
-    skipped,
-    dropped
-  };
-  struct channel_use {
-    use_kind what = use_kind::none;
-    int number = 0;  // of the output, of the node
-  };
-
-  static constexpr std::int64_t last_beat =
-      std::numeric_limits<std::int64_t>::max() / cca::detail::counts_of<Graph>.period - 1;
-
   void check_architecture(const mcap_reader& whole) const {
     for (const auto& [name, entries] : whole.metadata())
       if (name == "cca.architecture") {
@@ -195,90 +172,13 @@ private:
   }
 
   channel_use use_of(const mcap_channel& channel) {
-    channel_use use;
-    const std::string& topic = channel.topic;
-    for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o)
-      if (topic == topic_of(cca::detail::path_of_output<Graph>(o))) {
-        use = {use_kind::sample, o};
-        is_recorded[cca::detail::array_size(o)] = true;
-      }
-    for (int n = 0; n < cca::detail::counts_of<Graph>.node_count; ++n)
-      if (topic == std::string(parameter_topics) + topic_of(cca::detail::path_of_node<Graph>(n)).substr(1))
-        use = {use_kind::parameters, n};
-    if (topic == state_topic) use.what = use_kind::state, has_states = true;
-    if (topic == fault_topic) use.what = use_kind::fault;
-    if (topic == lost_topic) use.what = use_kind::lost;
-    if (topic == mode_topic) use.what = use_kind::mode;
-    if (topic == part_topic) use.what = use_kind::part;
-    if (topic == freely_topic) use.what = use_kind::freely;
-    if (topic == late_topic) use.what = use_kind::late;
-    if (topic == skipped_topic) use.what = use_kind::skipped;
-    if (topic == dropped_topic) use.what = use_kind::dropped;
+    const channel_use use = channels::use_of(channel.topic);
+    if (use.what == use_kind::sample) is_recorded[cca::detail::array_size(use.number)] = true;
+    if (use.what == use_kind::state) has_states = true;
     if (use.what != use_kind::none && channel.encoding != "cdr")
-      throw refused(called + ": the messages of " + topic + " are encoded as `" +
+      throw refused(called + ": the messages of " + channel.topic + " are encoded as `" +
                     printable(channel.encoding, 40) + "`, not as `cdr`: another tool has converted them");
     return use;
-  }
-
-  static bool read(const mcap_message& m, channel_use use, recorded_item& item) {
-    cdr_reader from(m.data);
-    item = {};
-    item.beat = from.number<std::int64_t>();
-    if (item.beat < 0) return false;
-    if (use.what == use_kind::sample) {
-      recorded_sample& s = item.sample.emplace();
-      s.output = use.number;
-      s.origin = from.number<std::int64_t>();
-      s.coordinates.resize(array_size_of(use.number));
-      for (double& c : s.coordinates) c = from.number<double>();
-      // No clock reaches half of what fits, and ages are differences.
-      constexpr auto most = std::numeric_limits<std::int64_t>::max() / 2;
-      return from.is_at_end() && s.origin >= -most && s.origin <= most;
-    }
-    if (use.what == use_kind::lost) {
-      item.lost = from.number<std::int64_t>();
-      if constexpr (AnyDeployment<Graph>) from.text();
-      return from.is_at_end();
-    }
-    if (use.what == use_kind::dropped) {
-      item.dropped = from.number<std::int64_t>();
-      const std::string path(from.text());
-      item.dropped_by = -1;
-      for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o)
-        if (path == cca::detail::path_of_output<Graph>(o)) item.dropped_by = o;
-      return from.is_at_end() && item.dropped_by >= 0 && item.dropped > 0;
-    }
-    recorded_event& e = item.event.emplace();
-    if (use.what == use_kind::parameters) {
-      e.kind = event_kind::parameters;
-      e.node = use.number;
-      e.parameters.assign(m.data.begin(), m.data.end());
-      return !from.is_bad();
-    }
-    e.kind = use.what == use_kind::state    ? event_kind::state
-             : use.what == use_kind::fault  ? event_kind::fault
-             : use.what == use_kind::mode   ? event_kind::mode
-             : use.what == use_kind::part   ? event_kind::part
-             : use.what == use_kind::freely ? event_kind::freely
-             : use.what == use_kind::late   ? event_kind::late
-                                            : event_kind::skipped;
-    if (e.kind == event_kind::freely) {
-      e.freely = from.is_at_end() || from.number<std::uint8_t>() != 0;  // older files don't say it
-      return from.is_at_end();
-    }
-    if (e.kind == event_kind::skipped) from.number<std::int64_t>();
-    if (e.kind == event_kind::fault) e.component = printable(from.text());
-    // A reason is compared with that of a component, so it stays as it is; the others are names.
-    e.text = e.kind == event_kind::fault ? std::string(from.text()) : printable(from.text());
-    if (e.kind == event_kind::late) e.component = printable(from.text());
-    if (e.kind == event_kind::part) e.stopped = from.number<std::uint8_t>() != 0;
-    if (e.kind == event_kind::mode || e.kind == event_kind::part)
-      e.requested = from.number<std::uint8_t>() != 0;
-    return from.is_at_end();
-  }
-  static std::size_t array_size_of(int output) {
-    return static_cast<std::size_t>(
-        cca::detail::frame_layout_of<Graph>.size[cca::detail::array_size(output)]);
   }
 
   mcap_reader file;

@@ -2,6 +2,7 @@
 // beats, and compares what the others publish. What a file may be refused for: record/replay.hpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <deque>
@@ -12,17 +13,19 @@
 #include <cca/base/refused.hpp>
 #include <cca/record/replay/compared_outputs.hpp>
 #include <cca/record/mcap/printable.hpp>
-#include <cca/record/replay/recorded_beats.hpp>
+#include <cca/record/replay/recorded_channels.hpp>
 #include <cca/record/replay/recorded_parameters.hpp>
 #include <cca/record/replay/life_cycle_step.hpp>
 #include <cca/record/replay/played_samples.hpp>
 #include <cca/record/replay/replayed.hpp>
 #include <cca/record/replay/result.hpp>
 #include <cca/runtime/controller.hpp>
+#include <cca/runtime/environments/exchange/cycle_results.hpp>
 
 namespace cca::recording::detail {
 
-template <class Graph>
+// `Items`: where they come from; recorded_items of a file, twin_items of a robot that runs.
+template <class Graph, class Items>
 class replay_run final : playing_tap<Graph> {
   using graph = replaying<Graph>;
   static constexpr int output_count = cca::detail::counts_of<Graph>.output_count;
@@ -31,42 +34,41 @@ class replay_run final : playing_tap<Graph> {
 
 public:
   explicit replay_run(const std::string& file, std::int64_t most_silent = most_silent_beats)
-      : playing_tap<Graph>(2),
-        items(file),
-        called(file),
-        silence(most_silent),
-        recorded(words(layout.words)) {
+      : playing_tap<Graph>(2), items(file), silence(most_silent), recorded(at(layout.words)) {
     forget_beat();
     c.record_into(this);
-    each_node([&]<class C>(int node, C&) {
-      if (const auto* schema = items.parameter_schema_of(node))
-        check_names_of_parameters<Graph, C>(node, *schema, called);
-    });
+    each_node([&]<class C>(int node, C&) { check_names<C>(node); });
   }
   ~replay_run() override { c.record_into(nullptr); }
 
   controller<graph>& robot() { return c; }
+  Items& source() { return items; }
 
   replay_result go() {
-    play();
+    play_what_came();
+    finish();
     if (result.beats > 0) result.not_compared = compared.template complaint<Graph>();
     return result;
   }
 
-private:
-  void play() {
-    for (recorded_item item; items.next(item);) {
+  // All that the items have now, but the last beat: there may be more of it.
+  const replay_result& play_what_came() {
+    for (recorded_item item; !is_finished() && items.next(item);) {
       go_on_to(item.beat);
-      if (is_finished()) return;
+      if (is_finished()) break;
       if (item.sample) take(*item.sample, item.beat);
       else if (item.event) take(*item.event);
       else if (item.dropped > 0) this->miss(item.dropped_by, item.dropped);
-      else if (item.lost > 0) {
-        result.ended_early = "the recording lost " + std::to_string(item.lost) + " beats, from beat " +
-                             std::to_string(item.beat) + " on";
-        return;
-      }
+      else if (item.lost > 0)
+        result.ended_early = std::string(Items::called_whole) + " lost " + std::to_string(item.lost) +
+                             " beats, from beat " + std::to_string(item.beat) + " on";
     }
+    return result;
+  }
+
+private:
+  void finish() {
+    if (is_finished()) return;
     if (has_samples && items.damage().empty()) beat();  // of the last beat a part may be lost
     if (!is_finished()) compare_modes();
     if (const std::string missing = items.missing_end(); result.difference.empty() && !missing.empty())
@@ -79,7 +81,6 @@ private:
     int node = 0;
     c.for_each_component([&]<class C>(std::string_view, C& component) { f(node++, component); });
   }
-  static std::size_t words(int n) { return static_cast<std::size_t>(n); }
   static std::size_t at(int n) { return cca::detail::array_size(n); }
   bool is_finished() const { return !result.ended_early.empty() || !result.difference.empty(); }
 
@@ -102,13 +103,19 @@ private:
       beat();
     }
   }
+  template <class C>
+  void check_names(int node) const {
+    if (const auto* schema = items.parameter_schema_of(node))
+      check_names_of_parameters<Graph, C>(node, *schema, items.name());
+  }
   void check_begin() const {
     if (k == 0 && c.state() == state::created)
-      throw refused(called + ": it does not begin before the first beat: start recording before load()");
+      throw refused(items.name() +
+                    ": it does not begin before the first beat: start recording before load()");
   }
 
   void forget_beat() {
-    for (int o = 0; o < output_count; ++o) recorded[words(layout.origin[at(o)])] = never;
+    for (int o = 0; o < output_count; ++o) recorded[at(layout.origin[at(o)])] = never;
     for (auto& one : this->played) one.forget();
     reason.clear();
     failed_component.clear();
@@ -117,18 +124,19 @@ private:
 
   void take(const recorded_sample& s, std::int64_t beat_of_sample) {
     const auto refuse_sample = [&](const std::string& why) {
-      throw refused(called + ": a sample of `" + cca::detail::path_of_output<Graph>(s.output) + "` of beat " +
-                    std::to_string(beat_of_sample) + why);
+      throw refused(items.name() + ": a sample of `" + cca::detail::path_of_output<Graph>(s.output) +
+                    "` of beat " + std::to_string(beat_of_sample) + why);
     };
     if (beat_of_sample < k)
       refuse_sample(" comes after samples of beat " + std::to_string(k) +
                     ": another tool has changed the order of messages");
     if (is_playing && this->takes_several(s.output)) this->keep_earlier(s.output, recorded.data());
-    else if (recorded[words(layout.origin[at(s.output)])] != never)
+    else if (recorded[at(layout.origin[at(s.output)])] != never)
       refuse_sample(" is there twice: are two recordings merged in this file?");
-    recorded[words(layout.origin[at(s.output)])] = s.origin;
-    std::memcpy(&recorded[words(layout.at[at(s.output)])], s.coordinates.data(),
+    recorded[at(layout.origin[at(s.output)])] = s.origin;
+    std::memcpy(&recorded[at(layout.at[at(s.output)])], s.coordinates.data(),
                 sizeof(double) * s.coordinates.size());
+    hashes[at(s.output)] = s.hash;
     has_samples = true;
   }
 
@@ -146,8 +154,10 @@ private:
       told.add(e.node);
       each_node([&]<class C>(int node, C& component) {
         if constexpr (HasParameters<C>)
-          if (node == e.node)  // before load() they may be anything: load() checks them
-            take_parameters<Graph>(component, node, e.parameters, called, c.state() != state::created);
+          if (node == e.node) {  // before load() they may be anything: load() checks them
+            check_names<C>(node);
+            take_parameters<Graph>(component, node, e.parameters, items.name(), c.state() != state::created);
+          }
       });
     } else if (e.kind == event_kind::mode) {
       mode_recorded = e.text;
@@ -208,7 +218,7 @@ private:
       move_to(c, to);
     } catch (const refused& why) {
       const std::string missing = told.missing(c, items);
-      throw refused(called + ": in replay the state `" + to + "` is refused: " + printable(why.what()) +
+      throw refused(items.name() + ": in replay the state `" + to + "` is refused: " + printable(why.what()) +
                     (missing.empty() ? "" : " (no parameters are recorded of " + missing + ")"));
     }
   }
@@ -219,7 +229,7 @@ private:
   void beat() {
     if (c.state() != state::started) return check_begin(), forget_beat();
     if (!compare_modes()) return;
-    if (result.beats == 0) told.check(c, items, called);
+    if (result.beats == 0) told.check(c, items, items.name());
     feed();
     const int mode = active_mode();
     c.step();
@@ -234,16 +244,7 @@ private:
     this->keep_taken(recorded.data(), [this](int node) { return is_played(node); });
     each_node([&]<class C>(int node, C& component) {
       if constexpr (requires { component.forget(); }) {
-        component.forget();
-        for (const auto& call : plan.calls) {
-          if (call.node != node || !call.function) continue;
-          for (int p = 0; p < call.function->output_count; ++p) {
-            const int o = call.first_output + p;
-            if (const std::int64_t origin = recorded[words(layout.origin[at(o)])]; origin != never)
-              component.put(call.phase, p, origin,
-                            reinterpret_cast<const double*>(&recorded[words(layout.at[at(o)])]));
-          }
-        }
+        feed_frame<Graph>(component, node, recorded.data());
         if (!reason.empty() && failed_component == cca::detail::path_of_node<Graph>(node))
           component.fail(reasons.emplace_back(reason).c_str());
       }
@@ -260,18 +261,18 @@ private:
       const bool is_known = items.has(o) && items.ran_here(o);
       if (is_computed) compared.add_output(o, is_known);
       if (!is_known) continue;
-      const auto origin = words(layout.origin[at(o)]);
+      const auto origin = at(layout.origin[at(o)]);
       const std::int64_t was = recorded[origin], is = replayed_frame[origin];
       const auto size = static_cast<std::size_t>(layout.size[at(o)]);
-      const auto* const then = &recorded[words(layout.at[at(o)])];
+      const auto* const then = &recorded[at(layout.at[at(o)])];
       const auto* const now = replayed_frame + layout.at[at(o)];
       if (was == never && is == never) continue;
-      if (was == is && std::memcmp(then, now, sizeof(double) * size) == 0) {
+      if (items.is_same(o, was, hashes[at(o)], then, is, now, size)) {
         result.samples += is_computed;  // the others were fed
         continue;
       }
       if (was == never && !is_computed) end_at_gap(o);
-      else differ(o, sample_text(was, then, size), sample_text(is, now, size));
+      else differ(o, items.text_of(o, was, then, size), sample_text(is, now, size));
       this->ring.take();
       return;
     }
@@ -279,24 +280,24 @@ private:
     const bool has_faulted = c.state() == state::faulted;
     const std::string path = c.fault_path(), now = has_faulted ? std::string(c.fault().reason()) : "";
     const bool by_component = has_faulted || !failed_component.empty();
-    if (by_component && (now != reason || (has_faulted && path != failed_component)))
-      differ_in_fault(reason.empty() ? path : failed_component, fault_text(reason, failed_component),
-                      fault_text(now, path));
-    else if (by_component) compared.add();
+    if (by_component && (now != reason || (has_faulted && path != failed_component))) {
+      result.component = reason.empty() ? path : failed_component;
+      state_difference(result.component, fault_text(reason, failed_component), fault_text(now, path));
+    } else if (by_component) compared.add();
   }
 
   void end_at_gap(int o) {
     result.beat = k;
     result.ended_early = "what `" + cca::detail::path_of_output<Graph>(o) + "` sensed in beat " +
-                         std::to_string(k) + " is missing: another tool has left out or moved messages";
+                         std::to_string(k) + " is missing: " + Items::why_missing;
   }
   // Before a beat: the mode that was recorded is active.
   bool compare_modes() {
     if constexpr (Modes<Graph>)
       if (!mode_recorded.empty() && c.mode() != mode_recorded) {
         result.beat = k;
-        result.difference = "beat " + std::to_string(k) + ": recorded the mode `" + mode_recorded +
-                            "`, replayed `" + std::string(c.mode()) + "`";
+        result.difference = "beat " + std::to_string(k) +
+                            both("the mode `" + mode_recorded + "`", "`" + std::string(c.mode()) + "`");
         return false;
       }
     return true;
@@ -309,24 +310,22 @@ private:
     const auto& call = plan.calls[at(plan.outputs[at(o)].call)];
     result.component = cca::detail::path_of_node<Graph>(call.node);
     result.port = cca::detail::port_of(call, plan.outputs[at(o)]).name;
-    state_difference("`" + result.component + "." + result.port + "`, beat " + std::to_string(k) +
-                     ": recorded " + was + ", replayed " + is);
+    state_difference(result.component + "." + result.port, was, is);
   }
   // It counts, unless the clock has already made the environments another program than a loop.
-  void state_difference(const std::string& what) {
+  void state_difference(const std::string& path, const std::string& was, const std::string& is) {
     if (!clock_says.empty()) result.ended_early = "it can't be replayed " + clock_says;
-    else result.beat = k, result.difference = what;
+    else result.beat = k, result.difference = "`" + path + "`, beat " + std::to_string(k) + both(was, is);
   }
-  void differ_in_fault(const std::string& path, const std::string& was, const std::string& is) {
-    result.component = path;
-    state_difference("`" + path + "`, beat " + std::to_string(k) + ": recorded " + was + ", replayed " + is);
+  static std::string both(const std::string& was, const std::string& is) {
+    return std::string(": ") + Items::of_there + " " + was + ", " + Items::of_here + " " + is;
   }
 
-  recorded_items<Graph> items;
-  std::string called;
+  Items items;
   std::int64_t silence, silent_beats = 0;
   controller<graph> c;
   std::vector<std::int64_t> recorded;  // the frame of the beat k
+  std::array<std::uint32_t, cca::detail::array_size(output_count + 1)> hashes{};
   std::int64_t k = 0;
   std::string reason, failed_component, mode_recorded, clock_says;
   const std::vector<std::vector<int>> orders = orders_of_beats<Graph>();
