@@ -29,9 +29,8 @@ struct leg : cca::serial_chain<trunk, Foot, cca::axes<Hip, Knee>> {
   static constexpr std::array joints{cca::revolute(cca::along_y, cca::at(0, 0.1 * Side, 0)),
                                      cca::revolute(cca::along_y, cca::at(0, 0, -0.3))};
   static constexpr auto tip = cca::at(0, 0, -0.3);
-  static constexpr std::array links{
-      cca::link_inertia{2, {0, 0, -0.15}, {0.02, 0.02, 0.002, 0, 0, 0}},
-      cca::link_inertia{1, {0, 0, -0.15}, {0.01, 0.01, 0.001, 0, 0, 0}}};
+  static constexpr std::array links{cca::link_inertia{2, {0, 0, -0.15}, {0.02, 0.02, 0.002, 0, 0, 0}},
+                                    cca::link_inertia{1, {0, 0, -0.15}, {0.01, 0.01, 0.001, 0, 0, 0}}};
 };
 struct body : cca::body<trunk,
                         cca::part<"left", leg<left_foot, left_hip, walker::left_knee_bend, 1>>,
@@ -103,24 +102,25 @@ struct probe {
 
 // [intents]
 // What wants to move: one of these in each mode. Their nodes have names of their own.
-struct to_walk : cca::graph<cca::node<"walk", walking, cca::timed<20>>,
-                            cca::node<"setpoints_of_walk",
-                                      cca::policy_setpoints<walk::contract, slow_targets, angles>,
-                                      cca::timed<1>>,
-                            cca::node<"watchdog_of_walk", cca::policy_watchdog<walking, "stand">, cca::timed<1>>,
-                            cca::wire<"walk.output", "setpoints_of_walk.target", cca::latest>,
-                            cca::wire<"walk.status", "watchdog_of_walk.status", cca::latest>,
-                            cca::wire<"walk.term", "watchdog_of_walk.term", cca::latest>,
-                            cca::expose<"walk.joint_vel_rel", "velocities">,
-                            cca::expose<"walk.base_ang_vel", "rates">,
-                            cca::expose<"walk.attitude", "attitude">,
-                            cca::expose<"walk.joint_pos_rel", "angles">,
-                            cca::expose<"walk.velocity_commands", "command">,
-                            cca::expose<"walk.applied", "applied">,
-                            cca::expose<"setpoints_of_walk.target", "target">,
-                            cca::expose<"setpoints_of_walk.stiffness", "stiffness">,
-                            cca::expose<"setpoints_of_walk.damping", "damping">,
-                            cca::expose<"setpoints_of_walk.begins", "begins">> {};
+struct to_walk
+    : cca::graph<cca::node<"walk", walking, cca::timed<20>>,
+                 cca::node<"setpoints_of_walk",
+                           cca::policy_setpoints<walk::contract, slow_targets, angles>,
+                           cca::timed<1>>,
+                 cca::node<"watchdog_of_walk", cca::policy_watchdog<walking, "stand">, cca::timed<1>>,
+                 cca::wire<"walk.output", "setpoints_of_walk.target", cca::latest>,
+                 cca::wire<"walk.status", "watchdog_of_walk.status", cca::latest>,
+                 cca::wire<"walk.term", "watchdog_of_walk.term", cca::latest>,
+                 cca::expose<"walk.joint_vel_rel", "velocities">,
+                 cca::expose<"walk.base_ang_vel", "rates">,
+                 cca::expose<"walk.attitude", "attitude">,
+                 cca::expose<"walk.joint_pos_rel", "angles">,
+                 cca::expose<"walk.velocity_commands", "command">,
+                 cca::expose<"walk.applied", "applied">,
+                 cca::expose<"setpoints_of_walk.target", "target">,
+                 cca::expose<"setpoints_of_walk.stiffness", "stiffness">,
+                 cca::expose<"setpoints_of_walk.damping", "damping">,
+                 cca::expose<"setpoints_of_walk.begins", "begins">> {};
 // [intents end]
 struct to_do_other
     : cca::graph<cca::node<"other", others, cca::timed<10>>,
@@ -159,36 +159,37 @@ struct to_damp : cca::graph<cca::node<"braking", cca::damping_setpoints<angles>,
 // [below]
 // What all modes share. `Wires`: to the inputs of the intent.
 template <class Intent, class... Wires>
-using mode_of = cca::graph<cca::rate<1000>,
-                           cca::node<"senses", senses, cca::timed<1>>,
-                           cca::node<"intent", Intent>,
-                           cca::node<"blend", cca::setpoint_blend<angles>, cca::timed<1>>,
-                           cca::node<"servo", cca::setpoint_servo<angles, velocities, torques>, cca::timed<1>>,
-                           cca::node<"limits", cca::limiter<torques>>,
-                           cca::node<"robot", robot>,
-                           cca::node<"probe", probe, cca::timed<1>>,
+using mode_of =
+    cca::graph<cca::rate<1000>,
+               cca::node<"senses", senses, cca::timed<1>>,
+               cca::node<"intent", Intent>,
+               cca::node<"blend", cca::setpoint_blend<angles>, cca::timed<1>>,
+               cca::node<"servo", cca::setpoint_servo<angles, velocities, torques>, cca::timed<1>>,
+               cca::node<"limits", cca::limiter<torques>>,
+               cca::node<"robot", robot>,
+               cca::node<"probe", probe, cca::timed<1>>,
 
-                           cca::wire<"robot.angles", "senses.angles">,
-                           cca::wire<"robot.velocities", "senses.velocities">,
-                           Wires...,
-                           cca::wire<"blend.target", "intent.applied", cca::delayed<1>>,
+               cca::wire<"robot.angles", "senses.angles">,
+               cca::wire<"robot.velocities", "senses.velocities">,
+               Wires...,
+               cca::wire<"blend.target", "intent.applied", cca::delayed<1>>,
 
-                           cca::wire<"intent.target", "blend.target">,
-                           cca::wire<"intent.stiffness", "blend.stiffness">,
-                           cca::wire<"intent.damping", "blend.damping">,
-                           cca::wire<"intent.begins", "blend.begins">,
-                           cca::wire<"senses.angles", "blend.measured">,
-                           cca::wire<"blend.target", "servo.target">,
-                           cca::wire<"blend.stiffness", "servo.stiffness">,
-                           cca::wire<"blend.damping", "servo.damping">,
-                           cca::wire<"senses.angles", "servo.angles">,
-                           cca::wire<"senses.velocities", "servo.velocities">,
-                           cca::wire<"servo.torques", "limits.command">,
-                           cca::wire<"limits.safe", "robot.torque">,
+               cca::wire<"intent.target", "blend.target">,
+               cca::wire<"intent.stiffness", "blend.stiffness">,
+               cca::wire<"intent.damping", "blend.damping">,
+               cca::wire<"intent.begins", "blend.begins">,
+               cca::wire<"senses.angles", "blend.measured">,
+               cca::wire<"blend.target", "servo.target">,
+               cca::wire<"blend.stiffness", "servo.stiffness">,
+               cca::wire<"blend.damping", "servo.damping">,
+               cca::wire<"senses.angles", "servo.angles">,
+               cca::wire<"senses.velocities", "servo.velocities">,
+               cca::wire<"servo.torques", "limits.command">,
+               cca::wire<"limits.safe", "robot.torque">,
 
-                           cca::wire<"blend.target", "probe.target">,
-                           cca::wire<"blend.stiffness", "probe.stiffness">,
-                           cca::wire<"limits.safe", "probe.torques">>;
+               cca::wire<"blend.target", "probe.target">,
+               cca::wire<"blend.stiffness", "probe.stiffness">,
+               cca::wire<"limits.safe", "probe.torques">>;
 
 struct walk_mode : mode_of<to_walk,
                            cca::wire<"senses.velocities", "intent.velocities", cca::latest>,

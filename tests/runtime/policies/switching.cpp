@@ -56,11 +56,11 @@ steps run(controller& c, int beats) {
   return most;
 }
 
-constexpr std::array<std::string_view, 12> order{"other", "walk", "stand", "other", "damp",  "walk",
-                                                 "damp",  "stand", "walk", "other", "stand", "walk"};
+constexpr std::array<std::string_view, 12> order{"other", "walk",  "stand", "other", "damp",  "walk",
+                                                 "damp",  "stand", "walk",  "other", "stand", "walk"};
 
-// Through all modes, in the middle of blends too: the largest steps in the 30 beats after a switch, by which a
-// policy has answered once; between two of its answers only the blend moves the targets.
+// Through all modes, in the middle of blends too: the largest steps in the 30 beats after a switch, by which
+// a policy has answered once; between two of its answers only the blend moves the targets.
 steps through_all_modes(double blend) {
   const auto c = started(blend);
   run(*c, 1003);
@@ -129,7 +129,7 @@ TEST_SUITE("switching") {
 TEST_SUITE("watchdog") {
   // Breaks a sensor of a walking robot, and returns the largest torque step of the following second.
   template <class Break>
-  steps taken_over(controller& c, std::string_view by, const Break& breaks, int within) {
+  steps taken_over(controller & c, std::string_view by, const Break& breaks, int within) {
     run(c, 1007);
     breaks(c.get<"senses">());
     steps most;
@@ -149,12 +149,12 @@ TEST_SUITE("watchdog") {
 
   TEST_CASE("an observation that is not finite: `stand` takes over in the same period, without a jump") {
     const auto c = started();
-    const steps most =
-        taken_over(*c, "stand", [](hanging::senses& s) { s.spoils_an_angle = true; }, 20);
+    const steps most = taken_over(*c, "stand", [](hanging::senses& s) { s.spoils_an_angle = true; }, 20);
     CHECK(c->get<"intent.watchdog_of_walk">().cause() == "walk: joint_pos_rel is unreadable");
     MESSAGE("largest step ", most.torque, " N m, ", most.target, " rad");
     CHECK(most.torque < 1);
-    CHECK(c->get<"probe">().torque[1] == doctest::Approx(0).epsilon(1e-3));  // the spring of this joint has faded
+    CHECK(c->get<"probe">().torque[1] ==
+          doctest::Approx(0).epsilon(1e-3));  // the spring of this joint has faded
   }
   TEST_CASE("a stale observation: `stand` takes over after the contract's age") {
     const auto c = started();
@@ -180,8 +180,7 @@ TEST_SUITE("watchdog") {
   TEST_CASE("another watchdog names another mode: `damp`") {
     const auto c = started();
     c->switch_to<"other">();
-    const steps most =
-        taken_over(*c, "damp", [](hanging::senses& s) { s.spoils_an_angle = true; }, 10);
+    const steps most = taken_over(*c, "damp", [](hanging::senses& s) { s.spoils_an_angle = true; }, 10);
     CHECK(c->get<"intent.watchdog_of_other">().cause() == "other: joint_pos is unreadable");
     CHECK(c->get<"probe">().stiffness == Eigen::Vector4d::Zero());
     MESSAGE("largest step ", most.torque, " N m, ", most.target, " rad");

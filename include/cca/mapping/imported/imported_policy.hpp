@@ -26,11 +26,10 @@
 //   silent          only a policy_watchdog says so: the policy has not answered
 //
 // The parameter `file` names the weights. They are read on load, and refused if they belong to another
-// contract or another export. `on_start` clears history, memory and last action; history and last action begin
-// as the contract says, or, with "applied", in the middle of a motion: a history full of the first observation,
-// and the action whose target is applied.
-// Errors: mapping.policy_*; `cca::refused` for files. No allocation in a beat. Memory: its weights.
-// Example: tests/runtime/policies/; docs/policies.md.
+// contract or another export. `on_start` clears history, memory and last action; history and last action
+// begin as the contract says, or, with "applied", in the middle of a motion: a history full of the first
+// observation, and the action whose target is applied. Errors: mapping.policy_*; `cca::refused` for files. No
+// allocation in a beat. Memory: its weights. Example: tests/runtime/policies/; docs/policies.md.
 #pragma once
 
 #include <algorithm>
@@ -148,9 +147,7 @@ private:
 
   // After a start in the middle of a motion: the history is full of the present observation, and the last
   // action is the one whose target is applied.
-  void begin_from(frame& seen, const In&... inputs) {
-    (take_applied(seen, inputs), ...);
-  }
+  void begin_from(frame& seen, const In&... inputs) { (take_applied(seen, inputs), ...); }
   template <class Port>
   void take_applied(frame& seen, const Port& applied) {
     if constexpr (detail::is_applied<Port>) {

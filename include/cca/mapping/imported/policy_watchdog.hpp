@@ -8,8 +8,8 @@
 //   out "term"     policy_term_port     in which term, -1: in none
 //   and a cca::switch_to of the mode
 //
-// It asks when the policy has not been `usable` for as long as the parameter of its present status says: `unseen`,
-// `stale`, `waiting`, `unreadable`, and `silent` since its last answer. In s; 0 is at once.
+// It asks when the policy has not been `usable` for as long as the parameter of its present status says:
+// `unseen`, `stale`, `waiting`, `unreadable`, and `silent` since its last answer. In s; 0 is at once.
 //
 //   c.get<"watchdog">().cause()      "walk: joint_pos_rel is unreadable"; empty if it has not asked since on_start
 //
@@ -57,8 +57,7 @@ struct policy_watchdog {
     const bool is_silent = age(now, answered_) > p.silent;
     if (is_silent) what = policy_status::silent, where = -1;
     if (what == policy_status::usable) bad_since_ = now.time();
-    const bool asks =
-        what != policy_status::usable && (is_silent || age(now, bad_since_) >= patience(what));
+    const bool asks = what != policy_status::usable && (is_silent || age(now, bad_since_) >= patience(what));
     if (asks) cause_ = what, cause_term_ = where, has_cause_ = true;
     policy_term_port::vector_type at;
     at[0] = where;
@@ -75,18 +74,22 @@ struct policy_watchdog {
   std::string cause() const {
     if (!has_cause_) return "";
     const std::string_view term = Policy::term_name(cause_term_);
-    return std::string(Policy::contract::name) + ": " +
-           (term.empty() ? "it" : std::string(term)) + " is " + std::string(name_of(cause_));
+    return std::string(Policy::contract::name) + ": " + (term.empty() ? "it" : std::string(term)) + " is " +
+           std::string(name_of(cause_));
   }
 
 private:
   static double age(beat now, std::int64_t since) { return 1e-9 * static_cast<double>(now.time() - since); }
   double patience(policy_status s) const {
     switch (s) {
-      case policy_status::unseen: return p.unseen;
-      case policy_status::stale: return p.stale;
-      case policy_status::waiting: return p.waiting;
-      default: return p.unreadable;
+      case policy_status::unseen:
+        return p.unseen;
+      case policy_status::stale:
+        return p.stale;
+      case policy_status::waiting:
+        return p.waiting;
+      default:
+        return p.unreadable;
     }
   }
 

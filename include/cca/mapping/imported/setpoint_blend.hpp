@@ -10,8 +10,8 @@
 //   out "damping"     setpoint_damping<Angles>     maybe
 //
 // With s from 0 to 1 in even steps of dt / duration, each number is  from + s (wanted - from). So between two
-// beats a switch moves a target by at most  dt / duration |wanted - from|,  and so the gains; beside that only
-// s times the step that the policy itself makes. In the beat of the switch nothing moves.
+// beats a switch moves a target by at most  dt / duration |wanted - from|,  and so the gains; beside that
+// only s times the step that the policy itself makes. In the beat of the switch nothing moves.
 //
 // Until the new setpoints come it holds what was applied. Numbers that are not finite count as not come.
 // `on_start` forgets what was applied. Errors: component.bad_parameter. Docs: docs/policies.md.

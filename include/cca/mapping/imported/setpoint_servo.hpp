@@ -9,9 +9,9 @@
 //   in  "velocities"  Velocities measured, rad/s
 //   out "torques"     Torques    N m: stiffness (target - angle) - damping velocity
 //
-// A joint whose angle or velocity is not finite, or older than `oldest`, loses spring or damper within `fade`,
-// and gets it back as slowly; meanwhile its last good number counts. So no sensor that fails makes a torque
-// jump. Torques are 0 until all have come. Errors: mapping.policy_axes; component.bad_parameter.
+// A joint whose angle or velocity is not finite, or older than `oldest`, loses spring or damper within
+// `fade`, and gets it back as slowly; meanwhile its last good number counts. So no sensor that fails makes a
+// torque jump. Torques are 0 until all have come. Errors: mapping.policy_numbers; component.bad_parameter.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct setpoint_servo {
     static constexpr bool holds = std::is_same_v<typename Angles::axes, typename Velocities::axes> &&
                                   std::is_same_v<typename Angles::axes, typename Torques::axes>;
     static constexpr void tell(detail::text& m) {
-      m << "mapping.policy_axes: angles, velocities and torques of a setpoint_servo are over other axes: "
+      m << "mapping.policy_numbers: angles, velocities and torques of a setpoint_servo are over other axes: "
            "give them one list of axes";
     }
   };
@@ -54,9 +54,8 @@ struct setpoint_servo {
     for (int i = 0; i < Angles::size; ++i) {
       angle_[i].take(angles.vector()[i], angles_are_new, step);
       velocity_[i].take(velocities.vector()[i], velocities_are_new, step);
-      torques[i] =
-          angle_[i].trust * stiffness.vector()[i] * (target.vector()[i] - angle_[i].good) -
-          velocity_[i].trust * damping.vector()[i] * velocity_[i].good;
+      torques[i] = angle_[i].trust * stiffness.vector()[i] * (target.vector()[i] - angle_[i].good) -
+                   velocity_[i].trust * damping.vector()[i] * velocity_[i].good;
     }
     return torques;
   }

@@ -8,7 +8,6 @@
 
 #include <cca/cca.hpp>
 #include <cca/mapping/policy.hpp>
-#include <cca/python/stand_in.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 
 #include "../trot/stride_oscillator.hpp"
@@ -26,15 +25,18 @@ struct cosine : cca::dimension<"cosine"> {};
 struct sine : cca::dimension<"sine"> {};
 struct amplitude : cca::dimension<"amplitude"> {};
 struct gait_clock : cca::space<cca::number, cca::axes<cosine, sine, amplitude>, rate> {};
-struct gravity : cca::space<cca::cartesian_position<oncilla::trunk_frame>, cca::axes<cca::x, cca::y, cca::z>, rate> {
-};
+struct gravity
+    : cca::space<cca::cartesian_position<oncilla::trunk_frame>, cca::axes<cca::x, cca::y, cca::z>, rate> {};
 struct targets : cca::space<cca::joint_angles, oncilla::leg_axes, rate> {};
 
 using observations = cca::policy_inputs<cca::in<"gait_clock", gait_clock>,
                                         cca::in<"projected_gravity", gravity>,
                                         cca::in<"base_ang_vel", oncilla::trunk_angular_velocity>,
                                         cca::in<"joint_pos", oncilla::leg_angles>>;
-struct learner : cca::python::stand_in_of<observations, targets> {};  // where the policy will stand
+struct learner {  // for `cca-policy contract`: where the policy will stand
+  using inputs = observations;
+  using action_space = targets;
+};
 // [spaces end]
 
 // The phase of the stride as a point on a circle, and how far the legs swing: 0, stand.
@@ -59,32 +61,28 @@ struct smooth : cca::interpolate<targets, oncilla::leg_angles> {};
 using before_the_first = cca::initial<std::numeric_limits<double>::quiet_NaN()>;
 
 // [graph]
-template <class Policy, class Robot, class... More>
-using walking_with = cca::graph<cca::rate<1000>,
-                                cca::node<"throttle", trot::throttle, cca::timed<period>>,
-                                cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
-                                cca::node<"clock", clock, cca::timed<period>>,
-                                cca::node<"down", down, cca::timed<period>>,
-                                cca::node<"policy", Policy, cca::timed<period>>,
-                                cca::node<"smooth", smooth, cca::timed<1>>,
-                                cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
-                                cca::node<"robot", Robot>,
+// What walks, on any robot with the Oncilla's ports. `More`: what a training adds.
+template <class Policy, class... More>
+using gait_of = cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
+                           cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
+                           cca::node<"clock", clock, cca::timed<period>>,
+                           cca::node<"down", down, cca::timed<period>>,
+                           cca::node<"policy", Policy, cca::timed<period>>,
+                           cca::node<"smooth", smooth, cca::timed<1>>,
 
-                                cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
-                                cca::wire<"cpg.phase", "clock.phase", cca::latest>,
-                                cca::wire<"cpg.amplitude", "clock.amplitude", cca::latest>,
-                                cca::wire<"robot.orientation", "down.orientation", cca::latest>,
+                           cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
+                           cca::wire<"cpg.phase", "clock.phase", cca::latest>,
+                           cca::wire<"cpg.amplitude", "clock.amplitude", cca::latest>,
+                           cca::wire<"clock.clock", "policy.gait_clock">,
+                           cca::wire<"down.gravity", "policy.projected_gravity">,
+                           cca::wire<"policy.output", "smooth.input", cca::latest, before_the_first>,
 
-                                cca::wire<"clock.clock", "policy.gait_clock">,
-                                cca::wire<"down.gravity", "policy.projected_gravity">,
-                                cca::wire<"robot.angular_velocity", "policy.base_ang_vel", cca::latest>,
-                                cca::wire<"robot.angles", "policy.joint_pos", cca::latest>,
-
-                                cca::wire<"policy.output", "smooth.input", cca::latest, before_the_first>,
-                                cca::wire<"smooth.output", "limits.command">,
-                                cca::wire<"robot.angles", "limits.measured">,
-                                cca::wire<"limits.safe", "robot.command">,
-                                More...>;
+                           cca::expose<"down.orientation", "orientation">,
+                           cca::expose<"policy.base_ang_vel", "rates">,
+                           cca::expose<"policy.joint_pos", "angles">,
+                           cca::expose<"smooth.output", "command">,
+                           cca::expose<"policy.status", "status">,
+                           More...>;
 // [graph end]
 
 }  // namespace pytorch_walk

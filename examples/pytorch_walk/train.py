@@ -9,6 +9,7 @@ of imitation learning and structured prediction to no-regret online learning, AI
 python3-torch and python3-onnx, or those of pip.
 """
 import argparse
+import pathlib
 import time
 
 import numpy
@@ -21,7 +22,8 @@ import walk_contract
 # [pose]
 # What the robot's types do not say, and the training chooses.
 DEFAULT = dict(front_hip=0.794, hind_hip=0.630, front_knee=1.627, hind_knee=1.518)  # rad: where the trot stands
-SCALE = 0.25
+SCALE = 0.25  # rad
+STIFFNESS, DAMPING = [30] * 4 + [80] * 4, [0.375] * 4 + [0.4] * 4  # of the drives of hips and knees, N m/rad and N m s/rad
 
 
 def default_of(joint):
@@ -55,56 +57,54 @@ def main():
     torch.manual_seed(0)
     draw = numpy.random.default_rng(0)
 
-    joints = walk_contract.JOINTS
+    joints, seen = walk_contract.JOINTS, walk_contract.CONTRACT["inputs"]
     default = numpy.array([default_of(j) for j in joints])
-    clocked = len(joints)
-    env = oncilla_lessons.lessons(a.worlds, episode_steps=int(a.seconds / 0.01))
-    seen = walk_contract.CONTRACT["inputs"]
+    env = oncilla_lessons.lessons(a.worlds, episode_steps=0)
     net = Policy(seen, len(joints))
-    angles = slice(seen - clocked, seen)  # joint_pos, the last term, is relative to the default pose
 
-    def observed(all_numbers):
-        x = all_numbers[:, :seen].copy()
-        x[:, angles] -= default
+    def observed(numbers):  # joint_pos, the last term, is relative to the default pose
+        x = numbers[:, :seen].copy()
+        x[:, -len(joints):] -= default
         return x
 
+    def targets(x):
+        with torch.no_grad():
+            return default + SCALE * net(torch.tensor(x, dtype=torch.float32)).numpy().astype(float)
+
     # [training]
-    x, y = [], []
-    begun = time.monotonic()
+    x, y, begun = [], [], time.monotonic()
     for k in range(a.rounds):
-        by_teacher = 1.0 if k == 0 else 0.5 ** k
-        raw, _ = env.reset(seed=1 + 1000 * k)
+        by_teacher = 1 if k == 0 else 0.5 ** k
+        numbers, _ = env.reset(seed=1 + 1000 * k)
         moved = 0.0
         for _ in range(int(a.seconds / env.step_seconds)):
-            now, lesson = observed(raw), raw[:, seen:].copy()
-            with torch.no_grad():
-                own = default + SCALE * net(torch.tensor(now, dtype=torch.float32)).numpy().astype(float)
+            now, lesson = observed(numbers), numbers[:, seen:].copy()
             drives = draw.random((a.worlds, 1)) < by_teacher
-            raw, reward, _, _, _ = env.step(numpy.where(drives, lesson, own))
-            x.append(now), y.append((lesson - default) / SCALE)
+            numbers, reward, fell, _, _ = env.step(numpy.where(drives, lesson, targets(now)))
             moved += reward.mean()
+            x.append(now[~fell])  # a target is reached when the next one comes, so the next lesson is the answer
+            y.append((numbers[~fell, seen:] - default) / SCALE)
         all_x = torch.tensor(numpy.concatenate(x), dtype=torch.float32)
         all_y = torch.tensor(numpy.concatenate(y), dtype=torch.float32)
         if k == 0:
             net.mean.copy_(all_x.mean(0)), net.deviation.copy_(all_x.std(0).clamp(min=1e-2))
         steps = torch.optim.Adam(net.parameters(), lr=2e-3)
-        for _ in range(6):
+        for _ in range(5):
             for some in torch.randperm(len(all_x)).split(256):
-                steps.zero_grad()
                 loss = torch.nn.functional.mse_loss(net(all_x[some]), all_y[some])
-                loss.backward()
-                steps.step()
-        print(f"round {k}: {len(all_x)} lessons, walked {moved:.2f} m in {a.seconds:g} s, error {SCALE * loss.item() ** 0.5:.4f} rad, {time.monotonic() - begun:.0f} s", flush=True)
+                steps.zero_grad(), loss.backward(), steps.step()
+        print(f"round {k}: {moved:.2f} m in {a.seconds:g} s; {len(all_x)} lessons, {SCALE * loss.item() ** 0.5:.4f} rad off, {time.monotonic() - begun:.0f} s", flush=True)
     # [training end]
 
     # [export]
     torch.onnx.export(net, torch.zeros(1, seen), a.out, input_names=["obs"], output_names=["actions"], opset_version=11)
     model = onnx.load(a.out)
     onnx.helper.set_model_props(model, walk_contract.metadata(
-        default_joint_pos=default, action_scale=[SCALE] * len(joints), joint_stiffness=[26.0] * 4 + [4.0] * 4, joint_damping=[0.1] * 8, normalizer_embedded=True))
+        default_joint_pos=default, action_scale=[SCALE] * len(joints), joint_stiffness=STIFFNESS, joint_damping=DAMPING))
     onnx.save(model, a.out)
+    pathlib.Path(a.out).with_suffix(".toml").write_text(walk_contract.map_text(relative_to_default=["joint_pos", "action"]))
     # [export end]
-    print(f"{a.out}: {len(model.SerializeToString())} bytes")
+    print(f"{a.out} and its map: {len(model.SerializeToString())} bytes")
 
 
 if __name__ == "__main__":

@@ -4,5 +4,6 @@
 #include "../lessons.hpp"
 
 PYBIND11_MODULE(oncilla_lessons, m) {
-  cca::python::add_environment<pytorch_walk::lessons>(m, "lessons", "an Oncilla, and what the trot would do in its place");
+  cca::python::add_environment<pytorch_walk::lessons>(m, "lessons",
+                                                      "an Oncilla, and what the trot would do in its place");
 }
