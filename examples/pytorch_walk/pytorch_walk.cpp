@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <limits>
+#include <string>
 
 #include <cca/mapping/imported/policy_watchdog.hpp>
 #include <cca/mapping/imported/setpoint_blend.hpp>

@@ -51,15 +51,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", default="walk.onnx")
     parser.add_argument("--worlds", type=int, default=32)
-    parser.add_argument("--rounds", type=int, default=6)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--threads", type=int, default=0, help="0: all cores")
     parser.add_argument("--seconds", type=float, default=3, help="of each round")
     a = parser.parse_args()
     torch.manual_seed(0)
+    torch.set_num_threads(1)  # so small a network is not faster on more
     draw = numpy.random.default_rng(0)
 
     joints, seen = walk_contract.JOINTS, walk_contract.CONTRACT["inputs"]
     default = numpy.array([default_of(j) for j in joints])
-    env = oncilla_lessons.lessons(a.worlds, episode_steps=0)
+    env = oncilla_lessons.lessons(a.worlds, threads=a.threads, episode_steps=0)
     net = Policy(seen, len(joints))
 
     def observed(numbers):  # joint_pos, the last term, is relative to the default pose
@@ -89,7 +91,7 @@ def main():
         if k == 0:
             net.mean.copy_(all_x.mean(0)), net.deviation.copy_(all_x.std(0).clamp(min=1e-2))
         steps = torch.optim.Adam(net.parameters(), lr=2e-3)
-        for _ in range(5):
+        for _ in range(4):
             for some in torch.randperm(len(all_x)).split(256):
                 loss = torch.nn.functional.mse_loss(net(all_x[some]), all_y[some])
                 steps.zero_grad(), loss.backward(), steps.step()

@@ -168,7 +168,7 @@ TEST_SUITE("rl_sar") {
           "config.yaml:9: clip_actions differs from joint to joint, which is not possible here");
     // A policy that does not observe its last action has no scale of it.
     CHECK(said(in, ", \"actions\"]", "]")
-              .starts_with("map.toml:18: `observation.actions.is`: the policy has no observation"));
+              .starts_with("map.toml:17: `observation.actions.is`: the policy has no observation"));
     CHECK(said(in, "rl_kp: [20.0", "rl_kp: [0.0") ==
           "the gains of left_hip are 0 N m/rad and 0.5 N m s/rad: a stiffness of zero or less was baked in, "
           "and the "
