@@ -93,8 +93,8 @@ int run(const char* weights) {
   const auto& world = c.get<"robot.simulator">().world();
   for (int second = 1; second <= 8; ++second) {
     c.run(cca::for_<1>{});
-    std::printf("%d s  %-5s %.1f m along, %.1f m aside%s\n", second, c.mode().data(),
-                world.trunk_position()[0], world.trunk_position()[1], world.fallen() ? ", fallen" : "");
+    std::printf("%d s  %-5s %.1f m%s\n", second, std::string(c.mode()).c_str(), world.trunk_position()[0],
+                world.fallen() ? ", fallen" : "");
     if (second == 6) c.get<"gyroscope">().fails = true;
   }
   std::printf("%s\n", c.get<"watchdog">().cause().c_str());
