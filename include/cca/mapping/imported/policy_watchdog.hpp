@@ -17,7 +17,7 @@
 // modes.unknown_mode. Example: tests/runtime/policies/switching.cpp; docs/policies.md.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <tuple>

@@ -15,7 +15,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 
 #include <cca/mapping/imported/setpoints.hpp>
 
@@ -52,10 +55,12 @@ struct setpoint_servo {
     const double step = p.fade > 0 ? now.dt() / p.fade : 1;
     const bool angles_are_new = is_new(angles, now), velocities_are_new = is_new(velocities, now);
     for (int i = 0; i < Angles::size; ++i) {
-      angle_[i].take(angles.vector()[i], angles_are_new, step);
-      velocity_[i].take(velocities.vector()[i], velocities_are_new, step);
-      torques[i] = angle_[i].trust * stiffness.vector()[i] * (target.vector()[i] - angle_[i].good) -
-                   velocity_[i].trust * damping.vector()[i] * velocity_[i].good;
+      reading &angle = angle_[static_cast<std::size_t>(i)],
+              &velocity = velocity_[static_cast<std::size_t>(i)];
+      angle.take(angles.vector()[i], angles_are_new, step);
+      velocity.take(velocities.vector()[i], velocities_are_new, step);
+      torques[i] = angle.trust * stiffness.vector()[i] * (target.vector()[i] - angle.good) -
+                   velocity.trust * damping.vector()[i] * velocity.good;
     }
     return torques;
   }

@@ -23,9 +23,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <tuple>
-#include <type_traits>
+#include <utility>
 
 #include <cca/component/beat.hpp>
 #include <cca/component/input_status.hpp>
