@@ -187,9 +187,10 @@ struct no_policy {
 
 template <class Policy>
 policy_description describe_policy(std::string_view name = "") {
-  static_assert(detail::holds_or_tells<requires(const Policy* p) { detail::description_of(p); },
-                                       detail::no_policy>::value);
-  policy_description d = detail::description_of(static_cast<const Policy*>(nullptr));
+  constexpr bool has = requires(const Policy* p) { detail::description_of(p); };
+  static_assert(detail::holds_or_tells<has, detail::no_policy>::value);
+  policy_description d;
+  if constexpr (has) d = detail::description_of(static_cast<const Policy*>(nullptr));
   if (d.name.empty()) d.name = std::string(name);
   return d;
 }
