@@ -114,6 +114,22 @@ TEST_SUITE("switching") {
     CHECK(c->get<"probe">().stiffness == Eigen::Vector4d::Constant(60));
   }
 
+  TEST_CASE("`stand` goes from the applied targets to its pose, `damp` stays at them, also without a blend") {
+    const auto c = started(0);
+    run(*c, 1001);
+    const Eigen::Vector4d from = c->get<"probe">().target, pose(0.2, 0.6, -0.2, -0.6);
+    c->switch_to<"stand">();
+    const steps whole = run(*c, 501);
+    CHECK((c->get<"probe">().target - (from + pose) / 2).norm() < 1e-9);  // half of its second
+    run(*c, 500);
+    CHECK((c->get<"probe">().target - pose).norm() < 1e-9);
+    CHECK(whole.target <= 1.5 * 0.001 * (pose - from).cwiseAbs().maxCoeff() + 1e-9);
+    c->switch_to<"damp">();
+    run(*c, 1);
+    CHECK(c->get<"probe">().target == pose);
+    CHECK(c->get<"probe">().stiffness == Eigen::Vector4d::Zero());
+  }
+
   TEST_CASE("a beat with a switch allocates nothing") {
     const auto c = started();
     run(*c, 100);
