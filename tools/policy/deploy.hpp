@@ -145,12 +145,19 @@ private:
     add(root["rl_kp"], "stiffness");
     add(root["rl_kd"], "damping");
     add(root["action_scale"], "action.scale");
-    for (const char* term : {"lin_vel", "ang_vel", "dof_pos", "dof_vel"})
-      add(root[std::string(term) + "_scale"], "observation." + std::string(term) + ".scale");
-    add(root["commands_scale"], "observation.commands.scale");
+    // It states scales of terms that the policy need not observe.
+    const auto observes = [&](const std::string& term) {
+      for (const auto& one : root["observations"])
+        if (one.IsScalar() && one.Scalar() == term) return true;
+      return false;
+    };
+    for (const char* term : {"lin_vel", "ang_vel", "dof_pos", "dof_vel", "commands"})
+      if (observes(term))
+        add(root[std::string(term) + "_scale"], "observation." + std::string(term) + ".scale");
     for (const char* term : {"gravity_vec", "actions"})
-      to_.add("observation." + std::string(term) + ".scale",
-              {{1}, {}, file_ + " (rl_sar scales it by 1)", 0});
+      if (observes(term))
+        to_.add("observation." + std::string(term) + ".scale",
+                {{1}, {}, file_ + " (rl_sar scales it by 1)", 0});
     if (statement s; numbers(root["clip_obs"], s)) {
       to_.add("observations.clip", {{-s.numbers[0], s.numbers[0]}, {}, s.where, 0});
       to_.add("observations.clips", {{}, {"after_scale"}, s.where, 0});
@@ -168,7 +175,11 @@ private:
     if (numbers(root["dt"], step) && numbers(root["decimation"], decimation) &&
         step.numbers[0] * decimation.numbers[0] > 0)
       to_.add("rate", {{1 / (step.numbers[0] * decimation.numbers[0])}, {}, step.where, 1e-6});
-    if (statement s; numbers(root["observations_history"], s)) {
+    rl_sar_joints(root);
+    const YAML::Node past = root["observations_history"];
+    if (past && past.IsSequence() && past.size() == 0)
+      to_.add("history.length", {{1}, {}, where(past), 0});  // only the latest
+    if (statement s; past && past.size() > 0 && numbers(past, s)) {
       to_.add("history.length", {{static_cast<double>(s.numbers.size())}, {}, s.where, 0});
       if (s.numbers.size() > 1) {
         const bool newest = s.numbers.front() == 0;  // 0 is the latest observation
@@ -183,6 +194,16 @@ private:
         to_.add("history.layout", {{}, {n.Scalar() == "time" ? "by_time" : "by_term"}, where(n), 0});
       else wrong_.add(where(n) + ": expected time or term, got `" + n.Scalar().substr(0, 40) + "`");
     }
+  }
+
+  // Its names are in the order of the robot. They are the policy's only where the mapping changes nothing:
+  // which way a mapping goes differs between versions.
+  void rl_sar_joints(const YAML::Node& root) {
+    for (const char* key : {"joint_mapping", "state_mapping", "command_mapping"})
+      if (const YAML::Node n = root[key]; n && n.IsSequence())
+        for (std::size_t i = 0; i < n.size(); ++i)
+          if (n[i].as<std::string>() != std::to_string(i)) return;
+    add_words(root["joint_names"], "joints");
   }
 
   std::string file_;

@@ -1,5 +1,5 @@
-// cca-policy: from the ONNX file of a learned policy to its contract as types. docs/policies.md;
-// `cca-policy --help`.
+// cca-policy: from the ONNX file of a learned policy to its contract as types, and from a robot's types to a
+// contract for the training. docs/policies.md; `cca-policy --help`.
 #include <iostream>
 #include <string>
 #include <vector>
@@ -9,12 +9,14 @@
 #include <cca/main/run_program.hpp>
 
 #include "exchange.hpp"
+#include "of_header.hpp"
 
 namespace {
 
 struct settings {
   std::vector<std::string> words;
-  std::string deploy, map, out, weights;
+  std::vector<std::string> includes;
+  std::string deploy, map, out, weights, policy, at, compiler = CCA_COMPILE;
   bool in_double = false, python = false;
 };
 
@@ -28,12 +30,38 @@ void write(const settings& s, const std::string& text) {
   else cca::detail::write_file(s.out, text);
 }
 
+bool is_header(const std::string& file) {
+  for (const char* end : {".hpp", ".h", ".hh", ".hxx"})
+    if (file.ends_with(end)) return true;
+  return false;
+}
+
+int contract_of_header(const settings& s, const std::string& file) {
+  if (s.policy.empty())
+    throw cca::command_line_error(
+        file + " is a header: name the policy's type with --policy, or a graph's with --policy and --at");
+  if (!s.deploy.empty() || !s.map.empty() || !s.weights.empty() || s.in_double)
+    throw cca::command_line_error("--deploy, --map, --weights and --double belong to an ONNX file, and " +
+                                  file + " is a header");
+  if (!s.out.empty() && cca::is_one_file(s.out, file))
+    throw cca::refused(s.out + ": it would be written over " + file +
+                       ", which is read: give it its own name");
+  const std::string json = cca_policy::contract_of_header({file, s.policy, s.at, s.compiler, s.includes});
+  const std::string name = s.policy.substr(s.policy.rfind(':') + 1);
+  write(s, s.python ? cca_policy::contract_python(name, file.substr(file.rfind('/') + 1), json) : json);
+  return std::cout.flush() ? cca::exit_code::done : cca::exit_code::error;
+}
+
 int run(const settings& s) {
   const bool imports = s.words.size() == 2 && s.words[0] == "import";
   if (!imports && (s.words.size() != 2 || s.words[0] != "contract"))
-    throw cca::command_line_error("expected `import` or `contract`, and an ONNX file; see --help");
+    throw cca::command_line_error(
+        "expected `import` or `contract`, and an ONNX file or a header; see --help");
   if (imports && s.python) throw cca::command_line_error("--python belongs to `contract`");
   const std::string& file = s.words[1];
+  if (!imports && is_header(file)) return contract_of_header(s, file);
+  if (!s.policy.empty() || !s.at.empty() || !s.includes.empty())
+    throw cca::command_line_error("--policy, --at and --include belong to `contract` and a header");
   cca_policy::complaints wrong;
   cca_policy::imported p = cca_policy::import_policy(read(file), read(s.deploy), read(s.map), wrong);
   p.in_double = s.in_double;
@@ -50,7 +78,8 @@ int run(const settings& s) {
     cca::detail::write_file(weights, cca_policy::weights_file(p));
     write(s, cca_policy::header(p).text());
   } else {
-    write(s, s.python ? cca_policy::contract_python(p) : cca_policy::contract_json(p));
+    const std::string json = cca_policy::contract_json(p);
+    write(s, s.python ? cca_policy::contract_python(p.terms.name, p.made_from, json) : json);
   }
   return std::cout.flush() ? cca::exit_code::done : cca::exit_code::error;
 }
@@ -60,12 +89,17 @@ int run(const settings& s) {
 int main(int count, char** words) {
   settings s;
   cca::command_line line("writes the contract of a learned policy as types, and its weights");
-  line.words("COMMAND FILE", s.words, 2, "`import` or `contract` (JSON), and the ONNX file");
+  line.words("COMMAND FILE", s.words, 2,
+             "`import` or `contract` (JSON), and the ONNX file; of `contract` also a header");
   line.text("--deploy FILE", s.deploy, "a deploy.yaml of unitree_rl_lab, or a configuration of rl_sar");
   line.text("--map FILE", s.map, "what these files do not say, in TOML");
   line.text("--out FILE", s.out, "the header or the contract (standard output)");
   line.text("--weights FILE", s.weights, "the weights (NAME.policy)");
   line.flag("--python", s.python, "`contract` writes a module of Python");
+  line.text("--policy TYPE", s.policy, "of a header: the type of the policy, or of a graph with one");
+  line.text("--at PATH", s.at, "the path of the policy's node in that graph");
+  line.texts("--include DIR", s.includes, "where the header finds others");
+  line.text("--compiler COMMAND", s.compiler, "compiles the header");
   line.flag("--double", s.in_double, "the network computes in double instead of float");
   return cca::run_program(count, words, line, [&] { return run(s); });
 }

@@ -40,7 +40,7 @@ struct bench {
     std::get<4>(said) = dq;
     return said;
   }
-  void act(cca::in<"torques", walker::torques> t) { felt = t.vector(); }
+  void act(cca::optional_in<"torques", walker::torques> t) { felt = t.vector(); }
 
   bool says = true, says_rates = true;
   Eigen::Vector3d rates{0.1, -0.2, 0.3};
@@ -116,28 +116,31 @@ struct by_hand {
 
   by_hand() { policy->read(std::string(CCA_WRITTEN "/walk.policy")); }
 
+  std::array<double, 21> observed(const bench& b) const {
+    return {0.2 * std::clamp(b.rates[0], -100.0, 100.0),
+            0.2 * std::clamp(b.rates[1], -100.0, 100.0),
+            0.2 * std::clamp(b.rates[2], -100.0, 100.0),
+            b.turned[3],
+            b.turned[0],
+            b.turned[1],
+            b.turned[2],
+            b.wish[1],
+            b.wish[0],
+            b.q[2] - 0.1,
+            -b.q[1] + 0.8,
+            b.q[3] + 0.1,
+            b.q[0] + 0.8,
+            0.05 * b.dq[2],
+            -0.05 * b.dq[1],
+            0.05 * b.dq[3],
+            0.05 * b.dq[0],
+            last[0],
+            last[1],
+            last[2],
+            last[3]};
+  }
   Eigen::Vector4d step(const bench& b) {
-    std::array<double, 21> x{0.2 * std::clamp(b.rates[0], -100.0, 100.0),
-                             0.2 * std::clamp(b.rates[1], -100.0, 100.0),
-                             0.2 * std::clamp(b.rates[2], -100.0, 100.0),
-                             b.turned[3],
-                             b.turned[0],
-                             b.turned[1],
-                             b.turned[2],
-                             b.wish[1],
-                             b.wish[0],
-                             b.q[2] - 0.1,
-                             -b.q[1] + 0.8,
-                             b.q[3] + 0.1,
-                             b.q[0] + 0.8,
-                             0.05 * b.dq[2],
-                             -0.05 * b.dq[1],
-                             0.05 * b.dq[3],
-                             0.05 * b.dq[0],
-                             last[0],
-                             last[1],
-                             last[2],
-                             last[3]};
+    const std::array<double, 21> x = observed(b);
     if (past.empty()) past.assign(3, x);
     past.erase(past.begin());
     past.push_back(x);
@@ -253,4 +256,66 @@ TEST_CASE("a policy without weights is refused on load") {
       policy->on_load(),
       "cca::imported_policy: it has no weights; name the file that cca-policy wrote beside its header in the "
       "parameter `file`");
+}
+
+namespace {
+
+// The same training, but for a history that began with zeros.
+struct from_zeros : walk::contract {
+  static constexpr cca::history_start start = cca::history_start::zero;
+};
+struct taking_over : cca::imported_policy<from_zeros,
+                                          cca::policy_inputs<cca::in<"joint_vel_rel", walker::velocities>,
+                                                             cca::in<"base_ang_vel", gyro>,
+                                                             cca::in<"attitude", walker::attitude>,
+                                                             cca::in<"joint_pos_rel", walker::angles>,
+                                                             cca::in<"velocity_commands", command>,
+                                                             cca::optional_in<"applied", walker::angles>>,
+                                          walker::targets> {};
+// The targets that the robot follows when the policy begins.
+struct follows {
+  auto process(cca::beat) -> cca::maybe<"applied", walker::angles> {
+    if (!says) return {};
+    return Eigen::Vector4d(-0.5, 0.6, 0.4, -0.2);  // right knee, left knee bend, left hip, right hip
+  }
+  bool says = true;
+};
+struct begun : cca::graph<cca::rate<50>,
+                          cca::node<"robot", bench>,
+                          cca::node<"follows", follows>,
+                          cca::node<"policy", taking_over, cca::timed<1>>,
+                          cca::node<"sink", sink, cca::timed<1>>,
+                          cca::wire<"follows.applied", "policy.applied">,
+                          cca::wire<"robot.rates", "policy.base_ang_vel">,
+                          cca::wire<"robot.attitude", "policy.attitude">,
+                          cca::wire<"robot.command", "policy.velocity_commands">,
+                          cca::wire<"robot.angles", "policy.joint_pos_rel">,
+                          cca::wire<"robot.velocities", "policy.joint_vel_rel">,
+                          cca::wire<"policy.output", "sink.target">,
+                          cca::wire<"policy.status", "sink.status">,
+                          cca::wire<"policy.term", "sink.term">> {};
+
+}  // namespace
+
+TEST_CASE("a policy begins as its contract says, or in the middle of a motion where targets are applied") {
+  for (const bool applied : {false, true}) {
+    cca::controller<begun> c;
+    c.get<"policy">().read(std::string(CCA_WRITTEN "/walk.policy"));
+    c.load();
+    c.get<"follows">().says = applied;
+    c.start();
+    by_hand judge;
+    if (applied) {  // (sign target - rest) / scale, in the policy's order
+      judge.last = {(0.4 - 0.1) / 0.25, (-0.6 + 0.8) / 0.25, (-0.2 + 0.1) / 0.25, (-0.5 + 0.8) / 0.25};
+      judge.past.assign(3, judge.observed(c.get<"robot">()));
+    } else {
+      judge.past.assign(3, {});
+    }
+    for (int k = 0; k < 5; ++k) {
+      const Eigen::Vector4d wanted = judge.step(c.get<"robot">());
+      c.step();
+      REQUIRE(c.get<"sink">().status == cca::policy_status::usable);
+      CHECK((c.get<"sink">().target - wanted).norm() < 1e-6);
+    }
+  }
 }

@@ -90,6 +90,12 @@ constexpr void compare_port(text& m, const char* verb) {
   }
 }
 
+// The targets that the robot follows when the policy begins: no observation.
+template <class Port>
+inline constexpr bool is_applied = false;
+template <class Space>
+inline constexpr bool is_applied<optional_in<"applied", Space>> = true;
+
 template <class Contract, class Inputs, class To>
 struct contract_check;
 template <class Contract, class... In, class To>
@@ -135,7 +141,9 @@ private:
   template <class Port, class... Terms>
   static constexpr void port_is_observed(text& m, policy_terms<Terms...>) {
     if (m.size > 0) return;
-    if (!((Port::name == Terms::name && !observes_action<Terms>) || ...))
+    if constexpr (is_applied<Port>)
+      compare_port<Contract, typename Contract::action, typename Port::space>(m, "begins with");
+    else if (!((Port::name == Terms::name && !observes_action<Terms>) || ...))
       m << "mapping.policy_terms: the policy `" << Contract::name << "` has the port `" << Port::name
         << "`, which is none of its observations: remove it, or import the policy that observes it";
   }

@@ -8,6 +8,7 @@
 //   cca::node<"walk", walking, cca::timed<20>>       at the policy's rate
 //
 //   in  <names of the terms>   the robot's spaces       any order of joints; matched by name
+//   in  "applied"  joint angles           optional_in, if you list it: the targets that the robot follows now
 //   out "output"   To                     maybe; targets of the joints, within the limits of the axes
 //   out "status"   policy_status_port     the worst that was seen
 //   out "term"     policy_term_port       in which term of the contract; -1: in none; `term_name(i)` names it
@@ -22,11 +23,13 @@
 //   stale           output; an observation is older than the contract allows
 //   waiting         status only; an input has no sample yet
 //   unreadable      status only; a number is NaN, infinite or beyond 1e12. History and memory stay as they were
+//   silent          only a policy_watchdog says so: the policy has not answered
 //
 // The parameter `file` names the weights. They are read on load, and refused if they belong to another
-// contract or another export. `on_start` clears history, memory and last action.
-// Errors: mapping.policy_*; `cca::refused` for files. No allocation in a beat. Memory: its weights.
-// Example: tests/runtime/policies/; docs/policies.md.
+// contract or another export. `on_start` clears history, memory and last action; history and last action
+// begin as the contract says, or, with "applied", in the middle of a motion: a history full of the first
+// observation, and the action whose target is applied. Errors: mapping.policy_*; `cca::refused` for files. No
+// allocation in a beat. Memory: its weights. Example: tests/runtime/policies/; docs/policies.md.
 #pragma once
 
 #include <algorithm>
@@ -48,11 +51,16 @@
 
 namespace cca {
 
-enum class policy_status : std::uint8_t { usable, unseen, stale, waiting, unreadable };
+enum class policy_status : std::uint8_t { usable, unseen, stale, waiting, unreadable, silent };
 
 struct policy_axis : dimension<"policy"> {};
 struct policy_status_port : space<status, axes<policy_axis>> {};
 struct policy_term_port : space<number, axes<policy_axis>> {};
+
+constexpr std::string_view name_of(policy_status s) {
+  constexpr std::string_view names[] = {"usable", "unseen", "stale", "waiting", "unreadable", "silent"};
+  return names[static_cast<std::size_t>(s)];
+}
 
 template <class Contract, class Inputs, Space To>
 struct imported_policy;
@@ -83,6 +91,9 @@ struct imported_policy<Contract, policy_inputs<In...>, To> {
       if (found.what < policy_status::waiting && !is_usable(seen)) [[unlikely]]
         find_unreadable(found, seen);
       if (found.what < policy_status::waiting) [[likely]] {
+        if (begins) [[unlikely]]
+          begin_from(seen, inputs...);
+        begins = false;
         history.add(seen);
         const auto a = network::answer(weights.data(), history.numbers(), memory);
         if (detail::all_finite(a)) output = targets(a);
@@ -108,6 +119,7 @@ struct imported_policy<Contract, policy_inputs<In...>, To> {
     history.clear();
     memory.setZero();
     last.setZero();
+    begins = true;
   }
 
   // If a file is refused, nothing changes.
@@ -133,6 +145,39 @@ private:
     }
   };
 
+  // After a start in the middle of a motion: the history is full of the present observation, and the last
+  // action is the one whose target is applied.
+  void begin_from(frame& seen, const In&... inputs) { (take_applied(seen, inputs), ...); }
+  template <class Port>
+  void take_applied(frame& seen, const Port& applied) {
+    if constexpr (detail::is_applied<Port>) {
+      if (!detail::has_come(applied)) return;
+      using action = typename Contract::action;
+      constexpr policy_range clip = detail::clip_of<action>();
+      for (int i = 0; i < moved; ++i) {
+        const policy_number& one = action::numbers[static_cast<std::size_t>(i)];
+        const int place = detail::places_of<action, typename Port::space>[static_cast<std::size_t>(i)];
+        double a = one.sign * (applied.vector()[place] - one.rest) / one.scale;
+        if constexpr (detail::bounds(clip)) a = std::min(std::max(a, clip.lower), clip.upper);
+        last[i] = static_cast<number>(std::min(std::max(a, -largest_input), largest_input));
+      }
+      see_last(seen, typename Contract::terms{});
+      history.fill(seen);
+    }
+  }
+  template <class... Terms>
+  void see_last(frame& seen, policy_terms<Terms...>) const {
+    int at = 0;
+    ((see_last_in<Terms>(seen, at), at += detail::size_of_term<Terms>), ...);
+  }
+  template <class Term>
+  void see_last_in(frame& seen, int at) const {
+    if constexpr (detail::observes_action<Term>)
+      for (int i = 0; i < moved; ++i)
+        seen[at + i] =
+            static_cast<number>(number_of<Term>(static_cast<std::size_t>(i), static_cast<double>(last[i])));
+  }
+
   template <class... Terms>
   void observe(doubt& found, frame& seen, beat now, policy_terms<Terms...>, const In&... inputs) const {
     int at = 0, which = 0;
@@ -143,9 +188,7 @@ private:
   template <class Term>
   void observe_term(doubt& found, frame& seen, beat now, int at, int which, const In&... inputs) const {
     if constexpr (detail::observes_action<Term>) {
-      for (int i = 0; i < moved; ++i)
-        seen[at + i] =
-            static_cast<number>(number_of<Term>(static_cast<std::size_t>(i), static_cast<double>(last[i])));
+      see_last_in<Term>(seen, at);
     } else {
       (read_port<Term, In>(found, seen, now, at, which, inputs), ...);
     }
@@ -225,6 +268,7 @@ private:
   detail::observation_history<Contract> history;
   neural::numbers<number, network::memory> memory = neural::numbers<number, network::memory>::Zero();
   neural::numbers<number, moved> last = neural::numbers<number, moved>::Zero();
+  bool begins = true;
 };
 
 }  // namespace cca

@@ -34,6 +34,11 @@ public:
 
   void clear() { begun = false; }
 
+  // As if `now` had been observed all the time.
+  void fill(const neural::numbers<number, frame>& now) {
+    begun = true;
+    for (int i = 0; i < length; ++i) add(now);
+  }
   void add(const neural::numbers<number, frame>& now) {
     const bool fills = !begun;
     if (fills) seen.setZero();

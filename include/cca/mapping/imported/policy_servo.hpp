@@ -12,37 +12,14 @@
 // velocity either. Source: the joint actuators that such policies are trained with (implicit or ideal PD).
 #pragma once
 
-#include <cca/mapping/imported/contract_check.hpp>
+#include <cca/mapping/imported/policy_gains_check.hpp>
 
 namespace cca {
 
 template <class Contract, Space Target, Space Angles, Space Velocities, Space Torques>
 struct policy_servo {
-  struct gains {
-    static constexpr std::string_view name = "gains", is = "joint_torques";
-    static constexpr auto numbers = [] {
-      std::array<policy_number, Contract::gains.size()> all{};
-      for (std::size_t i = 0; i < all.size(); ++i) all[i].name = Contract::gains[i].name;
-      return all;
-    }();
-  };
-  template <class Axes>
-  struct check {
-    static constexpr void tell(detail::text& m) {
-      detail::compare_port<Contract, gains, Torques>(m, "drives");
-      if (m.size == 0 &&
-          !(std::is_same_v<Axes, typename Target::axes> && std::is_same_v<Axes, typename Angles::axes> &&
-            std::is_same_v<Axes, typename Velocities::axes>))
-        m << "mapping.policy_numbers: target, angles, velocities and torques of the servo of `"
-          << Contract::name << "` are over other axes: give them one list of axes";
-    }
-    static constexpr bool holds = [] {
-      detail::text m;
-      tell(m);
-      return m.size == 0;
-    }();
-  };
-  using checked = check<typename Torques::axes>;
+  using gains = detail::gains_of<Contract, "joint_torques">;
+  using checked = detail::policy_gains_check<Contract, Torques, Target, Angles, Velocities>;
   static_assert(detail::holds_or_tells<checked::holds, checked>::value);
 
   auto process(in<"target", Target> target,
