@@ -4,7 +4,7 @@
 //   out "output"      Space          what it gets: the same, and on one axis the signal
 //   out "excitation"  Space          while a test runs: the signal alone
 //
-// A test begins when `run` gets another value, with the next sample, and ends by itself after `duration`. It
+// A test begins when `run` becomes larger, with the next sample, and ends by itself after `duration`. It
 // also ends when `signal` becomes `off`, when the component stops, and when a fault is resumed. What the
 // parameters are at the start begins nothing. While a test runs, other parameters are refused, but for `off`.
 // So a test is a change of parameters as any: in one beat, recorded, and the same in a replay.
@@ -14,7 +14,9 @@
 // one comparison.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -159,6 +161,7 @@ public:
                              (cca::quantity<cca::frequency, 1e-3, 1e5>, to),
                              (cca::quantity<cca::duration, 1e-3, 600>, duration),
                              (cca::bounded<int, 0, 1000000000>, run));
+    static constexpr bool is_of_test_input = true;
     parameters() : signal(test_signal::off), frequency(1), to(10), duration(10) {}
     // A signal with a frequency needs more than two samples a turn.
     std::string check_at(double step) const {
@@ -177,7 +180,7 @@ public:
     if (!is_running() || other.signal == test_signal::off || is_same(other)) return {};
     return "run: a test of this input runs: wait for its end, or set `signal` to off";
   }
-  bool is_running() const { return p.run != over && p.signal != test_signal::off; }
+  bool is_running() const { return p.run > over && p.signal != test_signal::off; }
 
   void on_start() { end_test(); }
   void on_stop() { end_test(); }
@@ -185,7 +188,7 @@ public:
 
   auto process(in<"input", Space> input, beat now)
       -> std::tuple<out<"output", Space>, maybe<"excitation", Space>> {
-    if (p.run == over) [[likely]]
+    if (p.run <= over) [[likely]]
       return {input.vector(), {}};
     return tested(input.vector(), now.time());
   }
@@ -234,10 +237,27 @@ struct test_facts {
   using type = test_node_of<space, has_range ? most : 1.0>;
 };
 
-// A type of its own for each tested input, short in messages. TestNode knows it by its mark.
-template <class Component, fixed_string Port, class Range>
-struct test_node : test_facts<Component, Port, Range>::type {
-  static constexpr bool is_of_test_input = true;
+// Of `servo.reference` the part before the dot, and that after it; without a dot both are empty.
+template <std::size_t Size, fixed_string Whole, std::size_t From>
+inline constexpr auto piece = [] {
+  char all[Size + 1]{};
+  for (std::size_t i = 0; i < Size; ++i) all[i] = Whole.text[From + i];
+  return fixed_string(all);
+}();
+template <fixed_string Input, std::size_t Dot = Input.view().find('.')>
+struct path_of_input {
+  static constexpr auto node = piece<Dot, Input, 0>;
+  static constexpr auto port = piece<Input.view().size() - Dot - 1, Input, Dot + 1>;
+};
+template <fixed_string Input>
+struct path_of_input<Input, std::string_view::npos> {
+  static constexpr auto node = piece<0, Input, 0>, port = node;
+};
+
+// A type of its own for each tested input, short in messages.
+template <fixed_string Input, class Component, class Range>
+struct test_node : test_facts<Component, path_of_input<Input>::port, Range>::type {
+  static constexpr std::string_view tested = Input.view();  // in the graph of the node
 };
 
 }  // namespace detail

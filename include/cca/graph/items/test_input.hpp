@@ -49,13 +49,6 @@ inline constexpr auto name_of_test = [] {
   for (const char c : Input.view()) all[end++] = c == '.' ? '_' : c;
   return fixed_string(all);
 }();
-template <std::size_t Size, fixed_string Whole, std::size_t From>
-inline constexpr auto piece = [] {
-  char all[Size + 1]{};
-  for (std::size_t i = 0; i < Size; ++i) all[i] = Whole.text[From + i];
-  return fixed_string(all);
-}();
-
 // ---- the node whose input it is ----
 
 struct no_such_node {};
@@ -143,10 +136,8 @@ using options_of_wire = typename joined<
 // What is said of the input `Input`, judged by all items of the graph.
 template <fixed_string Input, class... All>
 struct test_of_input {
-  static constexpr std::size_t dot = Input.view().find('.');
-  static constexpr bool has_port = dot != std::string_view::npos;
-  using component = typename component_named<piece<has_port ? dot : 0, Input, 0>, All...>::type;
-  static constexpr auto port = piece<has_port ? Input.view().size() - dot - 1 : 0, Input, has_port ? dot + 1 : 0>;
+  using path = path_of_input<Input>;
+  using component = typename component_named<path::node, All...>::type;
   static constexpr bool has_node = !std::is_same_v<component, no_such_node>;
   static constexpr bool is_wired = (leads_to<Input, All> || ...);
   static constexpr bool is_merged = ((leads_to<Input, All> && is_merged_wire<All>) || ...);
@@ -167,7 +158,7 @@ struct item_with_tests<test_input<Input, Range>, All...> {
   using test = test_of_input<Input, All...>;
   static constexpr auto its_name = name_of_test<Input>;
   using type = std::conditional_t<test::is_right,
-                                  list<node<its_name, test_node<typename test::component, test::port, Range>>>,
+                                  list<node<its_name, test_node<Input, typename test::component, Range>>>,
                                   list<>>;
 };
 

@@ -9,6 +9,7 @@
 
 #include <cca/door/network/changes_functions.hpp>
 #include <cca/door/network/hub.hpp>
+#include <cca/door/network/input_tests_functions.hpp>
 #include <cca/door/network/messages_functions.hpp>
 #include <cca/door/network/rights_functions.hpp>
 
@@ -222,6 +223,7 @@ inline void hub::time(std::uint64_t ns) {
 
 inline void hub::lost(std::uint64_t count) {
   if (count == 0) return;
+  tested.lost(count);
   for (door_client& c : clients)
     if (!c.subscriptions.empty()) c.out.lost += count;
 }
