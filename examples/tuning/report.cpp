@@ -33,7 +33,7 @@ records test(controller& c, cca::test_signal signal, double amplitude, double fr
     c.step();
     all.torque.push_back(motor.torque);
     all.excitation.push_back(k < 1000 * seconds
-                                 ? amplitude * cca::detail::value_of_test(signal, 1e-3 * k, from, to, seconds)
+                                 ? amplitude * cca::test_value(signal, 1e-3 * k, from, to, seconds)
                                  : 0);
   }
   return all;

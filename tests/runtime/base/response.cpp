@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi, rate = 1000;
 record excitation(cca::test_signal signal, double f, double g, double seconds, double rest = 0) {
   record u;
   for (int n = 0; n < static_cast<int>(rate * (seconds + rest)); ++n)
-    u.push_back(n < rate * seconds ? 0.3 * cca::detail::value_of_test(signal, n / rate, f, g, seconds) : 0);
+    u.push_back(n < rate * seconds ? 0.3 * cca::test_value(signal, n / rate, f, g, seconds) : 0);
   return u;
 }
 

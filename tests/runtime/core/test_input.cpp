@@ -111,7 +111,7 @@ TEST_CASE("each signal is added to one axis, has the exact phase, and ends by it
 }
 
 TEST_CASE("a chirp between two frequencies that are equal is a sine, and one may fall") {
-  CHECK(cca::detail::value_of_test(cca::test_signal::chirp, 0.3, 2, 2, 1) ==
+  CHECK(cca::test_value(cca::test_signal::chirp, 0.3, 2, 2, 1) ==
         doctest::Approx(std::sin(2 * cca::pi * 0.6)));
   const double h = 1e-6;  // the frequency is the slope of the phase
   for (const auto signal : {cca::test_signal::chirp, cca::test_signal::linear_chirp}) {

@@ -84,6 +84,11 @@ template <class Component, fixed_string Port>
   requires requires { &Component::process; }
 struct tested_space<Component, Port>
     : space_of_tested<Port, typename function_facts<decltype(&Component::process)>::parameters> {};
+// Of a resource node, whose limiter would have to come after the test: robot.unlimited_command says so.
+template <class Component, fixed_string Port>
+  requires requires { &Component::act; }
+struct tested_space<Component, Port>
+    : space_of_tested<Port, typename function_facts<decltype(&Component::act)>::parameters> {};
 
 // Vectors that can be added, one number per axis: not a pose, an orientation or a status.
 template <class Space>
@@ -120,7 +125,7 @@ template <class Component, fixed_string Port>
 struct no_tested_input {
   static constexpr void tell(text& m) {
     m << "graph.bad_test_input: `" << type_name<Component>() << "` has no input `" << Port.view()
-      << "` of `process`, which a cca::test_input names: name one of its inputs";
+      << "`, which a cca::test_input names: name one of its inputs";
     if constexpr (requires { typename Component::cca_items; })
       m << "; it is an inner graph: declare the test input among its own items";
   }
@@ -206,7 +211,7 @@ private:
       return {value, {}};
     }
     vector excitation = vector::Zero();
-    excitation[p.axis] = p.amplitude * value_of_test(p.signal, t, p.frequency, p.to, p.duration);
+    excitation[p.axis] = p.amplitude * test_value(p.signal, t, p.frequency, p.to, p.duration);
     value += excitation;
     return {value, excitation};
   }
@@ -245,18 +250,18 @@ inline constexpr auto piece = [] {
   return fixed_string(all);
 }();
 template <fixed_string Input, std::size_t Dot = Input.view().find('.')>
-struct path_of_input {
+struct parts_of_input {
   static constexpr auto node = piece<Dot, Input, 0>;
   static constexpr auto port = piece<Input.view().size() - Dot - 1, Input, Dot + 1>;
 };
 template <fixed_string Input>
-struct path_of_input<Input, std::string_view::npos> {
+struct parts_of_input<Input, std::string_view::npos> {
   static constexpr auto node = piece<0, Input, 0>, port = node;
 };
 
 // A type of its own for each tested input, short in messages.
 template <fixed_string Input, class Component, class Range>
-struct test_node : test_facts<Component, path_of_input<Input>::port, Range>::type {
+struct test_node : test_facts<Component, parts_of_input<Input>::port, Range>::type {
   static constexpr std::string_view tested = Input.view();  // in the graph of the node
 };
 

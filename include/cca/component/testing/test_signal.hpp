@@ -30,12 +30,14 @@ inline double turns_of_test(test_signal signal, double t, double f, double g, do
   return f * duration / growth * math::expm1(growth * t / duration);
 }
 
-inline double value_of_test(test_signal signal, double t, double f, double g, double duration) {
+}  // namespace detail
+
+// `t` seconds after the begin; f, g: frequencies in Hz, above 0.
+inline double test_value(test_signal signal, double t, double f, double g, double duration) {
   if (signal == test_signal::off) return 0;
   if (signal == test_signal::step) return 1;
-  const double turns = turns_of_test(signal, t, f, g, duration);
+  const double turns = detail::turns_of_test(signal, t, f, g, duration);
   return math::sin(2 * std::numbers::pi * (turns - math::floor(turns)));
 }
 
-}  // namespace detail
 }  // namespace cca

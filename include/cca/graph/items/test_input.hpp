@@ -67,8 +67,8 @@ struct component_named<Name, node<Its, Component, Strategy>, Rest...>
 template <fixed_string Input>
 struct test_of_unknown_node {
   static constexpr void tell(text& m) {
-    m << "graph.bad_test_input: cca::test_input<\"" << Input.view()
-      << "\"> names no input of a node of this graph: write it as in a wire, `node.port`";
+    m << "graph.bad_test_input: cca::test_input<`" << Input.view()
+      << "`> names no input of a node of this graph: write it as in a wire, `node.port`";
   }
 };
 template <fixed_string Input>
@@ -136,8 +136,8 @@ using options_of_wire = typename joined<
 // What is said of the input `Input`, judged by all items of the graph.
 template <fixed_string Input, class... All>
 struct test_of_input {
-  using path = path_of_input<Input>;
-  using component = typename component_named<path::node, All...>::type;
+  using parts = parts_of_input<Input>;
+  using component = typename component_named<parts::node, All...>::type;
   static constexpr bool has_node = !std::is_same_v<component, no_such_node>;
   static constexpr bool is_wired = (leads_to<Input, All> || ...);
   static constexpr bool is_merged = ((leads_to<Input, All> && is_merged_wire<All>) || ...);

@@ -18,6 +18,20 @@
 
 namespace cca::detail::door_network {
 
+struct recorded_port {
+  std::uint16_t channel = 0;
+  std::size_t axis = 0;
+  std::vector<std::pair<std::int64_t, double>> samples{};  // by beat
+};
+struct input_test_settings {
+  door_test_input of{};
+  std::string signal{};
+  std::int64_t axis = 0;
+  double amplitude = 0, frequency = 1, to = 10, duration = 10;
+  recorded_port excitation{}, output{};
+  std::optional<recorded_port> from{};
+};
+
 class input_test {
 public:
   // What the test is to be, of the arguments of a call; else why not.
@@ -49,19 +63,8 @@ private:
   static constexpr std::size_t most_samples = 1 << 17;
   static constexpr double rest = 0.5;  // s after the end, for what has not come to rest
 
-  struct port {
-    std::uint16_t channel = 0;
-    std::size_t axis = 0;
-    std::vector<std::pair<std::int64_t, double>> samples{};  // by beat
-  };
-  struct settings {
-    door_test_input of{};
-    std::string signal{};
-    std::int64_t axis = 0;
-    double amplitude = 0, frequency = 1, to = 10, duration = 10;
-    port excitation{}, output{};
-    std::optional<port> from{};
-  };
+  using port = recorded_port;
+  using settings = input_test_settings;
 
   static std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(1e9 * seconds); }
   static void take(port& into, std::uint16_t channel, std::string_view data);
