@@ -16,9 +16,7 @@ struct arm_torque : cca::space<cca::joint_torques, cca::axes<arm>, cca::rate<100
 // The motor of the library's virtual drives, inertia a + friction v = torque, in torque mode.
 struct virtual_axis {
   auto sense() -> cca::out<"angle", arm_angle> { return motor.now.position; }
-  void act(cca::in<"torque", arm_torque> wanted) {
-    motor.advance({.torque = wanted[arm{}]}, 0, 1e-3);
-  }
+  void act(cca::in<"torque", arm_torque> wanted) { motor.advance({.torque = wanted[arm{}]}, 0, 1e-3); }
   cca::hardware::virtual_motor motor{};  // 0.01 kg m^2, 0.02 N m s/rad
 };
 

@@ -21,7 +21,8 @@ struct records {
 };
 
 // One test from the start on, and half a second more.
-records test(controller& c, cca::test_signal signal, double amplitude, double from, double to, double seconds) {
+records test(
+    controller& c, cca::test_signal signal, double amplitude, double from, double to, double seconds) {
   auto p = c.get<"test_servo_reference">().p;
   p.signal = signal, p.amplitude = amplitude, p.frequency = from, p.to = to, p.duration = seconds;
   p.run = p.run + 1;  // begins with the next sample
@@ -32,9 +33,8 @@ records test(controller& c, cca::test_signal signal, double amplitude, double fr
     all.angle.push_back(motor.position);  // what the servo sees in this beat
     c.step();
     all.torque.push_back(motor.torque);
-    all.excitation.push_back(k < 1000 * seconds
-                                 ? amplitude * cca::test_value(signal, 1e-3 * k, from, to, seconds)
-                                 : 0);
+    all.excitation.push_back(
+        k < 1000 * seconds ? amplitude * cca::test_value(signal, 1e-3 * k, from, to, seconds) : 0);
   }
   return all;
 }
@@ -77,8 +77,8 @@ int main(int count, char** words) {
   const double lead = margin - cca::pi - plant[n].phase;  // of the controller, kp + kd s
   const double kp = std::cos(lead) / plant[n].gain, kd = std::sin(lead) / plant[n].gain / w;
   // [gains end]
-  std::printf("plant at %.2f Hz: %.4f rad/(N m), %.1f deg, coherence %.4f\n", plant[n].frequency, plant[n].gain,
-              plant[n].phase * 180 / cca::pi, plant[n].coherence);
+  std::printf("plant at %.2f Hz: %.4f rad/(N m), %.1f deg, coherence %.4f\n", plant[n].frequency,
+              plant[n].gain, plant[n].phase * 180 / cca::pi, plant[n].coherence);
   std::printf("gains: proportional %.3f N m/rad, derivative %.4f N m s/rad\n", kp, kd);
 
   auto stiff = soft;
@@ -94,8 +94,9 @@ int main(int count, char** words) {
   std::FILE* const file = std::fopen(words[1], "w");
   if (!file) return std::perror(words[1]), 1;
   for (std::size_t i = 0; i < plant.size(); ++i)
-    std::fprintf(file, "bode,%g,%g,%g,%g,%g,%g\n", plant[i].frequency, plant[i].gain, plant[i].phase * 180 / cca::pi,
-                 plant[i].coherence, angle[i].gain, angle[i].phase * 180 / cca::pi);
+    std::fprintf(file, "bode,%g,%g,%g,%g,%g,%g\n", plant[i].frequency, plant[i].gain,
+                 plant[i].phase * 180 / cca::pi, plant[i].coherence, angle[i].gain,
+                 angle[i].phase * 180 / cca::pi);
   for (std::size_t i = 0; i < 1500; ++i)
     std::fprintf(file, "step,%g,%g,%g\n", 1e-3 * static_cast<double>(i), before.angle[i], after.angle[i]);
   return std::fclose(file);

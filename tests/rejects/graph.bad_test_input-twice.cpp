@@ -8,7 +8,9 @@ struct plan {
   auto process(cca::beat) -> cca::out<"wanted", angle> { return 0.0; }
 };
 struct servo {
-  void process(cca::in<"reference", angle>, cca::optional_in<"turn", turn>, cca::optional_in<"velocity", angle>) {}
+  void process(cca::in<"reference", angle>,
+               cca::optional_in<"turn", turn>,
+               cca::optional_in<"velocity", angle>) {}
 };
 
 struct axis : cca::graph<cca::rate<1000>,
@@ -18,5 +20,6 @@ struct axis : cca::graph<cca::rate<1000>,
                          cca::test_input<"servo.reference", cca::up_to<0.1>>,
                          cca::test_input<"servo.reference", cca::up_to<0.2>>,
 #endif
-                         cca::wire<"plan.wanted", "servo.reference">> {};
+                         cca::wire<"plan.wanted", "servo.reference">> {
+};
 cca::controller<axis> c;

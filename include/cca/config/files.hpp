@@ -103,9 +103,8 @@ void save_parameters_since(const Controller& controller,
                            const Controller& before,
                            std::string_view file,
                            std::string_view within) {
-  write_parameter_file(
-      std::string(file),
-      parameters_as_toml(values_to_save(controller), file, within, values_to_save(before)));
+  write_parameter_file(std::string(file),
+                       parameters_as_toml(values_to_save(controller), file, within, values_to_save(before)));
 }
 
 // A controller's load(file), save(file), and set and parameter with a path call these. The core only declares

@@ -149,7 +149,8 @@ CCA_CONFIG_INLINE std::string parameters_as_toml(const std::vector<component_val
     check(*one.type, one.values, one.path, complaints);
     for (auto& each : complaints) found.add(nullptr, each.path, std::move(each.what));
     const auto was = std::ranges::find(before, one.path, &component_values::path);
-    write_table(*one.type, one.values, was == before.end() ? nullptr : was->values, toml_path(one.path), text);
+    write_table(*one.type, one.values, was == before.end() ? nullptr : was->values, toml_path(one.path),
+                text);
   }
   found.refuse();
   return text;

@@ -1,4 +1,5 @@
-// Writes a parameters struct as TOML text: one table per struct, with ranges, choices and earlier values as comments.
+// Writes a parameters struct as TOML text: one table per struct, with ranges, choices and earlier values as
+// comments.
 #pragma once
 
 #include <string>
@@ -35,8 +36,8 @@ inline std::string toml_lines(const schema& type, const void* value) {
   return lines.append("]");
 }
 
-// `before`: the value at an earlier time, or null. `path` is spelled as TOML. A table's values come before its inner tables: after them they would belong to
-// those.
+// `before`: the value at an earlier time, or null. `path` is spelled as TOML. A table's values come before
+// its inner tables: after them they would belong to those.
 inline void write_table(
     const schema& type, const void* value, const void* before, const std::string& path, std::string& out) {
   if (type.count) out.append(out.empty() ? "[" : "\n[").append(path).append("]\n");
@@ -52,7 +53,8 @@ inline void write_table(
   for (std::size_t i = 0; i < type.count; ++i) {
     const member& one = type.members[i];
     if (one.type->what == kind::table)
-      write_table(*one.type, one.of(value), before ? one.of(before) : nullptr, path + "." + toml_key(one.name), out);
+      write_table(*one.type, one.of(value), before ? one.of(before) : nullptr,
+                  path + "." + toml_key(one.name), out);
   }
 }
 

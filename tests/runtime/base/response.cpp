@@ -71,7 +71,9 @@ void compare(const cca::response_point& found, complex truth, double gain = 0.01
 
 struct drawn {
   std::mt19937_64 random{20};
-  double operator()(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); }
+  double operator()(double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  }
 };
 
 record noisy(record y, double deviation, drawn& draw) {
@@ -85,8 +87,9 @@ record noisy(record y, double deviation, drawn& draw) {
 TEST_CASE("sine: gain and phase of systems of first and second order with delay, drawn at random") {
   drawn draw;
   for (int i = 0; i < 40; ++i) {
-    const filter plant = delayed(i % 2 ? first_order(draw(0.005, 0.1)) : second_order(draw(20, 200), draw(0.1, 1)),
-                                 static_cast<int>(draw(0, 9)));
+    const filter plant =
+        delayed(i % 2 ? first_order(draw(0.005, 0.1)) : second_order(draw(20, 200), draw(0.1, 1)),
+                static_cast<int>(draw(0, 9)));
     const double f = draw(1, 90);
     const auto u = excitation(cca::test_signal::sine, f, f, 6);
     compare(cca::sine_response(u, plant(u), rate, f), plant.at(f), 1e-3, 0.1);
@@ -193,13 +196,15 @@ TEST_CASE("records that are none are refused") {
   bad[100] = std::numeric_limits<double>::quiet_NaN();
   const record none(u.size()), few(8);
   const std::vector<double> above{600}, right{5}, nan{bad[100]};
-  CHECK_THROWS_WITH_AS(cca::sine_response(u, bad, rate, 5), doctest::Contains("no finite number"), cca::refused);
+  CHECK_THROWS_WITH_AS(cca::sine_response(u, bad, rate, 5), doctest::Contains("no finite number"),
+                       cca::refused);
   CHECK_THROWS_WITH_AS(cca::sine_response(few, few, rate, 5), doctest::Contains("at least 16"), cca::refused);
   CHECK_THROWS_WITH_AS(cca::sine_response(u, few, rate, 5), doctest::Contains("same length"), cca::refused);
   CHECK_THROWS_WITH_AS(cca::sine_response(u, u, rate, 0.1), doctest::Contains("longer"), cca::refused);
   CHECK_THROWS_WITH_AS(cca::sine_response(none, u, rate, 5), doctest::Contains("no sine"), cca::refused);
   CHECK_THROWS_WITH_AS(cca::sine_response(u, u, 0, 5), doctest::Contains("rate"), cca::refused);
-  CHECK_THROWS_WITH_AS(cca::chirp_response(u, u, rate, above), doctest::Contains("below half the rate"), cca::refused);
+  CHECK_THROWS_WITH_AS(cca::chirp_response(u, u, rate, above), doctest::Contains("below half the rate"),
+                       cca::refused);
   CHECK_THROWS_AS(cca::chirp_response(u, u, rate, nan), cca::refused);
   CHECK_THROWS_AS(cca::chirp_response(bad, u, rate, right), cca::refused);
   CHECK(cca::chirp_response(none, u, rate, right)[0].coherence == 0);

@@ -67,7 +67,13 @@ cca::controller<tested> started() {
   return c;
 }
 template <class Controller>
-void begin(Controller& c, cca::test_signal signal, double amplitude, double f, double g, double seconds, int axis = 0) {
+void begin(Controller& c,
+           cca::test_signal signal,
+           double amplitude,
+           double f,
+           double g,
+           double seconds,
+           int axis = 0) {
   auto p = c.template get<"test_servo_reference">().p;
   p.signal = signal, p.amplitude = amplitude, p.frequency = f, p.to = g, p.duration = seconds, p.axis = axis;
   p.run = p.run + 1;
@@ -89,7 +95,8 @@ TEST_CASE("a declared test that is off changes nothing, also not the origin and 
 
 TEST_CASE("each signal is added to one axis, has the exact phase, and ends by itself") {
   using cca::test_signal;
-  for (const auto signal : {test_signal::step, test_signal::sine, test_signal::chirp, test_signal::linear_chirp}) {
+  for (const auto signal :
+       {test_signal::step, test_signal::sine, test_signal::chirp, test_signal::linear_chirp}) {
     auto c = started();
     for (int k = 0; k < 7; ++k) c.step();
     const double f = 3, g = 40, T = 0.5;
@@ -101,7 +108,9 @@ TEST_CASE("each signal is added to one axis, has the exact phase, and ends by it
       const double turns = signal == test_signal::sine    ? f * t
                            : signal == test_signal::chirp ? f * (std::exp(rate * t) - 1) / rate
                                                           : f * t + 0.5 * (g - f) / T * t * t;
-      const double expected = t >= T ? 0 : signal == test_signal::step ? 0.2 : 0.2 * std::sin(2 * cca::pi * turns);
+      const double expected = t >= T                        ? 0
+                              : signal == test_signal::step ? 0.2
+                                                            : 0.2 * std::sin(2 * cca::pi * turns);
       REQUIRE(seen(c)[0] == 0.25);
       REQUIRE(seen(c)[1] == doctest::Approx(-0.25 + expected).epsilon(1e-9));
       REQUIRE(seen(c, "test_servo_reference.excitation").size() == (t < T ? 2u : 0u));
@@ -145,8 +154,8 @@ TEST_CASE("what is no test is refused, and says why") {
                        cca::refused);
   CHECK_THROWS_WITH_AS(begin(c, test_signal::sine, nan, 1, 1, 1), doctest::Contains("nan"), cca::refused);
   CHECK_THROWS_WITH_AS(begin(c, test_signal::sine, 0.1, nan, 1, 1), doctest::Contains("nan"), cca::refused);
-  CHECK_THROWS_WITH_AS(begin(c, test_signal::sine, 0.1, 500, 1, 1), doctest::Contains("below half its rate, 500 Hz"),
-                       cca::refused);
+  CHECK_THROWS_WITH_AS(begin(c, test_signal::sine, 0.1, 500, 1, 1),
+                       doctest::Contains("below half its rate, 500 Hz"), cca::refused);
   CHECK_THROWS_WITH_AS(begin(c, test_signal::chirp, 0.1, 1, 501, 1), doctest::Contains("to: the input"),
                        cca::refused);
   CHECK_THROWS_AS(begin(c, test_signal::linear_chirp, 0.1, 1, nan, 1), cca::refused);
@@ -214,12 +223,13 @@ struct late : cca::graph<cca::rate<1000>,
                          cca::node<"servo", servo>,
                          cca::wire<"plan.wanted", "servo.reference", cca::delayed<3>, cca::initial<0.125>>,
                          cca::observe<"servo.seen">> {};
-struct late_tested : cca::graph<cca::rate<1000>,
-                                cca::node<"plan", plan, cca::timed<1>>,
-                                cca::node<"servo", servo>,
-                                cca::wire<"plan.wanted", "servo.reference", cca::delayed<3>, cca::initial<0.125>>,
-                                cca::test_input<"servo.reference", cca::up_to<0.25>>,
-                                cca::observe<"servo.seen">> {};
+struct late_tested
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"plan", plan, cca::timed<1>>,
+                 cca::node<"servo", servo>,
+                 cca::wire<"plan.wanted", "servo.reference", cca::delayed<3>, cca::initial<0.125>>,
+                 cca::test_input<"servo.reference", cca::up_to<0.25>>,
+                 cca::observe<"servo.seen">> {};
 struct inner : cca::graph<cca::node<"servo", servo>,
                           cca::expose<"servo.reference", "reference">,
                           cca::expose<"servo.seen", "seen">,
@@ -240,7 +250,8 @@ TEST_CASE("a delay and an initial value stay as they are") {
     CHECK(a.get<"servo">().fired == b.get<"servo">().fired);
     CHECK(a.get<"servo">().origin_age == b.get<"servo">().origin_age);
   }
-  CHECK_THROWS_WITH_AS(begin(b, cca::test_signal::step, 0.26, 1, 1, 1), doctest::Contains("-0.25 to 0.25 rad"), cca::refused);
+  CHECK_THROWS_WITH_AS(begin(b, cca::test_signal::step, 0.26, 1, 1, 1),
+                       doctest::Contains("-0.25 to 0.25 rad"), cca::refused);
 }
 
 TEST_CASE("an input of an inner graph that is exposed") {

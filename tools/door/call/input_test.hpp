@@ -32,8 +32,8 @@ inline void tell_response(const json& of, std::ostream& out) {
   constexpr double degrees = 57.29577951308232;
   if (!of.contains("frequency")) {
     for (const char* name : {"gain", "rise_time", "overshoot", "settling_time"})
-      out << name << ' ' << of.value(name, 0.0)
-          << (std::string_view(name).ends_with("time") ? " s" : "") << '\n';
+      out << name << ' ' << of.value(name, 0.0) << (std::string_view(name).ends_with("time") ? " s" : "")
+          << '\n';
     return;
   }
   out << "# frequency Hz, gain, phase deg, coherence\n" << std::setprecision(5);

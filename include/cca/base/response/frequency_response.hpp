@@ -72,8 +72,9 @@ inline void check_records(std::span<const double> u, std::span<const double> y, 
 }
 inline void check_frequency(double f, double rate) {
   if (!(f > 0 && 2 * f < rate))
-    throw refused("response: " + std::to_string(f) + " Hz: expected a frequency above 0 and below half the rate, " +
-                  std::to_string(0.5 * rate) + " Hz");
+    throw refused("response: " + std::to_string(f) +
+                  " Hz: expected a frequency above 0 and below half the rate, " + std::to_string(0.5 * rate) +
+                  " Hz");
 }
 
 inline response_point point_of(double frequency, std::complex<double> response, double coherence) {
@@ -168,8 +169,8 @@ inline response_point sine_response(std::span<const double> excitation,
   const double half = 0.5 * static_cast<double>(output.size());
   const double periods = math::floor(half * frequency / rate);
   if (periods < 1)
-    throw refused("response: the last half of the record has no whole period of " + std::to_string(frequency) +
-                  " Hz: make the test longer");
+    throw refused("response: the last half of the record has no whole period of " +
+                  std::to_string(frequency) + " Hz: make the test longer");
   const auto used = static_cast<std::size_t>(math::floor(periods * rate / frequency + 0.5));
   const auto in = detail::fit_sine(excitation.last(used), frequency / rate);
   const auto out = detail::fit_sine(output.last(used), frequency / rate);
@@ -178,7 +179,8 @@ inline response_point sine_response(std::span<const double> excitation,
 }
 
 // Of a test by a chirp, at each of these frequencies; those that the chirp does not have get a low coherence.
-// The output begins at rest. The record may go on after the end of the chirp, and should until it rests again.
+// The output begins at rest. The record may go on after the end of the chirp, and should until it rests
+// again.
 inline std::vector<response_point> chirp_response(std::span<const double> excitation,
                                                   std::span<const double> output,
                                                   double rate,
@@ -195,8 +197,7 @@ inline std::vector<response_point> chirp_response(std::span<const double> excita
   const auto size = static_cast<double>(u.size());
   std::vector<response_point> all;
   for (const double f : at)
-    all.push_back(
-        detail::fit_band(u, y, f, f * size / rate, size / static_cast<double>(excitation.size())));
+    all.push_back(detail::fit_band(u, y, f, f * size / rate, size / static_cast<double>(excitation.size())));
   detail::join_phases(all);
   return all;
 }

@@ -44,7 +44,8 @@ inline step_figures step_response(std::span<const double> output, double rate, d
     std::size_t n = 1;
     while (n + 1 < output.size() && share(n) < level) ++n;
     const double before = share(n - 1), rise = share(n) - before;
-    return (static_cast<double>(n - 1) + (rise > 0 ? std::clamp((level - before) / rise, 0.0, 1.0) : 1)) / rate;
+    return (static_cast<double>(n - 1) + (rise > 0 ? std::clamp((level - before) / rise, 0.0, 1.0) : 1)) /
+           rate;
   };
   double most = 0;
   std::size_t settled = 0;

@@ -107,8 +107,7 @@ struct most_of_test {
     double most = std::numeric_limits<double>::infinity();
     using quantity = typename Space::domain::quantity;
     for (std::size_t i = 0; i < static_cast<std::size_t>(Space::axes::count); ++i) {
-      const double half =
-          0.5 * (upper_limits<Space, quantity>[i] - lower_limits<Space, quantity>[i]);
+      const double half = 0.5 * (upper_limits<Space, quantity>[i] - lower_limits<Space, quantity>[i]);
       if (!(half >= most)) most = half;
     }
     return most;
@@ -173,9 +172,9 @@ public:
       const bool is_chirp = signal == test_signal::chirp || signal == test_signal::linear_chirp;
       if (signal == test_signal::off || signal == test_signal::step) return {};
       if (frequency * step < 0.5 && !(is_chirp && to * step >= 0.5)) return {};
-      return std::string(frequency * step < 0.5 ? "to" : "frequency") +
-             ": the input gets a sample each " + number_text(step) +
-             " s, so a frequency is below half its rate, " + number_text(0.5 / step) + " Hz";
+      return std::string(frequency * step < 0.5 ? "to" : "frequency") + ": the input gets a sample each " +
+             number_text(step) + " s, so a frequency is below half its rate, " + number_text(0.5 / step) +
+             " Hz";
     }
   };
   parameters p{};
@@ -236,7 +235,10 @@ struct test_facts {
   }();
   static constexpr bool has_range = most > 0 && most <= largest_double;
   static_assert(holds_or_tells<has_input, no_tested_input<Component, Port>>::value);
-  static_assert(holds_or_tells<!has_input || has_vector, no_vector_to_test<Component, Port, found>>::value);
+  static_assert(holds_or_tells < !has_input || has_vector,
+                no_vector_to_test < Component,
+                Port,
+                found >> ::value);
   static_assert(holds_or_tells<has_range, no_range_of_test<Component, Port, Range>>::value);
   using space = std::conditional_t<has_vector, found, no_tested_space>;
   using type = test_node_of<space, has_range ? most : 1.0>;

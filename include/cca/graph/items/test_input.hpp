@@ -6,12 +6,13 @@
 //                            cca::test_input<"servo.reference", cca::up_to<0.1>>> {};  // at most 0.1 rad
 //
 // Without an `up_to` the largest amplitude is half the narrowest range of the axes. The declaration puts a
-// node between the input and what is wired to it, here `test_servo_reference`: component/testing/test_node.hpp
-// has its ports and parameters, docs/tuning.md says how to use it. The signal is off until a test begins.
+// node between the input and what is wired to it, here `test_servo_reference`:
+// component/testing/test_node.hpp has its ports and parameters, docs/tuning.md says how to use it. The signal
+// is off until a test begins.
 //
-// A delay stays before the node, a queue after it: all else is as if the node were not there. Where no limiter
-// comes after the input, the rule robot.unlimited_command refuses the graph, because the sum is not limited.
-// In a deployment the node is placed as any other; where the input is.
+// A delay stays before the node, a queue after it: all else is as if the node were not there. Where no
+// limiter comes after the input, the rule robot.unlimited_command refuses the graph, because the sum is not
+// limited. In a deployment the node is placed as any other; where the input is.
 //
 // Errors: graph.bad_test_input. Cost: that of the node. A graph without one is as it ever was.
 // Tests: tests/runtime/core/test_input.cpp.
@@ -127,9 +128,9 @@ inline constexpr bool is_queue_option = false;
 template <int Capacity, class Full>
 inline constexpr bool is_queue_option<queue<Capacity, Full>> = true;
 template <bool AtInput, class... Options>
-using options_of_wire = typename joined<
-    list<>,
-    std::conditional_t<stays_with_input<Options> == AtInput, list<Options>, list<>>...>::type;
+using options_of_wire =
+    typename joined<list<>,
+                    std::conditional_t<stays_with_input<Options> == AtInput, list<Options>, list<>>...>::type;
 
 // ---- the items of a graph with tests ----
 
@@ -144,7 +145,7 @@ struct test_of_input {
   static constexpr bool is_twice = (int{tests_it<Input, All>} + ... + 0) > 1;
   static constexpr bool is_right = has_node && is_wired && !is_merged && !is_twice;
   static_assert(holds_or_tells<has_node, test_of_unknown_node<Input>>::value);
-  static_assert(holds_or_tells<!has_node || is_wired, test_of_unwired<Input>>::value);
+  static_assert(holds_or_tells < !has_node || is_wired, test_of_unwired < Input >> ::value);
   static_assert(holds_or_tells<!is_merged, test_of_merged<Input>>::value);
   static_assert(holds_or_tells<!is_twice, test_twice<Input>>::value);
 };
@@ -191,10 +192,10 @@ template <fixed_string From, fixed_string To, class... Options, class... All>
   requires((tests_it<To, All> || ...))
 struct item_with_tests<wire<From, To, Options...>, All...> {
   using before = typename wire_to_test<From, To, options_of_wire<false, Options...>>::type;
-  using type = std::conditional_t<
-      test_of_input<To, All...>::is_right,
-      typename around_test_with<To, before, options_of_wire<true, Options...>>::type,
-      list<wire<From, To, Options...>>>;
+  using type =
+      std::conditional_t<test_of_input<To, All...>::is_right,
+                         typename around_test_with<To, before, options_of_wire<true, Options...>>::type,
+                         list<wire<From, To, Options...>>>;
 };
 template <fixed_string Inner, fixed_string Outer, class... All>
   requires((tests_it<Inner, All> || ...))

@@ -259,7 +259,7 @@ private:
   }
 
   shadows known;
-  const shadows first;  // as they were when this was made
+  const shadows first;                             // as they were when this was made
   typename mailbox_type::loops with_components{};  // here
   mailbox_type mailbox;
   asked what = asked::parameters;

@@ -170,6 +170,8 @@ inline void hub::end(
       (done ? "" : "refused: ") + what + (done ? "" : ": " + outcome.why) + (is_late ? " (late)" : ""), done);
   if (after) tell_changed(*after);
   if (task.answer && !is_late) task.answer(outcome);
+  // Its client was told that it is refused, so nobody ends it.
+  if (done && is_late && task.is_test && task.client != 0) switch_test_off(task.since);
   const bool is_call = task.request.about == door_request::what::call;
   if (done && task.is_held && is_call) {
     // It may have lost the right meanwhile: then the effect ends at once.

@@ -128,6 +128,7 @@ private:
   void begin_test(door_client&, const service_call&, const json&, time_point now);
   void end_test(door_client&, const service_call&, time_point now);
   void cut_test(time_point now);
+  void switch_test_off(time_point now);
   void tell_response(door_client&, const service_call&);
 };
 

@@ -237,6 +237,7 @@ inline void hub::tick(time_point now) {
 }
 
 inline void hub::regularly(time_point now) {
+  tested.rest_if_over(channels.latest, channels);
   if (channels.is_wanted(status_channel))
     channels.show(
         status_channel, channels.latest,

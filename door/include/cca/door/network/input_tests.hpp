@@ -1,6 +1,6 @@
 // A test of an input through a door (cca::test_input): one at a time. It is a change of parameters, which the
-// door makes of the arguments of /cca/test; the door keeps the samples of its outputs, and computes the answer
-// of them when somebody asks.
+// door makes of the arguments of /cca/test; the door keeps the samples of its outputs, and computes the
+// answer of them when somebody asks.
 #pragma once
 
 #include <cstddef>
@@ -53,6 +53,13 @@ public:
   // It was ended before its time.
   void cut() { is_cut = true; }
   void sample(std::uint16_t channel, std::string_view data);
+  // Nothing more of it is to come.
+  void rest_if_over(std::uint64_t now, shown_channels& channels) {
+    if (is_listening && began != none && now > began + nanoseconds(asked.duration + 2 * rest)) {
+      is_listening = false;
+      listen(channels, false);
+    }
+  }
   void lost(std::uint64_t count) { lost_messages += is_listening ? count : 0; }
 
   // Of what has come; `why` says why there is none.

@@ -46,7 +46,9 @@ inline std::string input_test::read(const json& given,
     double index = 0;
     number(axis, index);
     if (!why.empty()) return;
-    if (is.empty() || !channel) why = std::string(path) + " = " + text_of(json(is)) + ": expected the path of an output, as `robot.angles`";
+    if (is.empty() || !channel)
+      why = std::string(path) + " = " + text_of(json(is)) +
+            ": expected the path of an output, as `robot.angles`";
     else if (!(index >= 0 && index < 1000) || index != std::floor(index))
       why = std::string(axis) + ": expected the number of an axis of " + is + ", from 0 on";
     else into.channel = *channel, into.axis = static_cast<std::size_t>(index);
@@ -62,11 +64,13 @@ inline std::string input_test::read(const json& given,
     return "axis = " + number_text(axis) + ": expected a whole number from 0 to " + number_text(axes - 1);
   to.axis = static_cast<std::int64_t>(axis);
   if (to.signal.empty() || to.signal == "off") return "signal: expected step, sine, chirp or linear_chirp";
-  if (to.amplitude == 0) return "amplitude: expected one that is not 0, at most " + number_text(to.of.most) +
-                                (to.of.unit.empty() ? "" : " " + to.of.unit);
+  if (to.amplitude == 0)
+    return "amplitude: expected one that is not 0, at most " + number_text(to.of.most) +
+           (to.of.unit.empty() ? "" : " " + to.of.unit);
   if (!given.contains("output_axis")) port_of("output", "axis", to.output);
   else port_of("output", "output_axis", to.output);
-  if (given.contains("from")) port_of("from", given.contains("from_axis") ? "from_axis" : "axis", to.from.emplace());
+  if (given.contains("from"))
+    port_of("from", given.contains("from_axis") ? "from_axis" : "axis", to.from.emplace());
   const auto excitation = channels.channel_of(topic_of(to.of.node + ".excitation"));
   if (why.empty() && !excitation) why = "the run has not begun";
   if (!why.empty()) return why;
@@ -78,7 +82,8 @@ inline std::string input_test::read(const json& given,
 inline std::string input_test::fill(const std::vector<door_parameter>& known, door_request& request) const {
   request.values.clear();
   const auto parameter = [&](const std::string& name) {
-    return std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.path == node() + "." + name; });
+    return std::find_if(known.begin(), known.end(),
+                        [&](const auto& one) { return one.path == node() + "." + name; });
   };
   const auto run = parameter("run");
   if (run == known.end()) return "the run has not begun";
@@ -135,12 +140,14 @@ inline void input_test::sample(std::uint16_t channel, std::string_view data) {
 
 inline std::optional<json> input_test::response(std::uint64_t now, std::string& why) const {
   const auto& u = asked.excitation.samples;
-  if (period <= 0) return why = "no test has run: call /cca/test", std::nullopt;
+  if (period <= 0 || (began == none && !is_running(now)))
+    return why = "no test has run: call /cca/test", std::nullopt;
   if (is_running(now)) return why = "the test of " + input() + " runs", std::nullopt;
   if (!is_cut && now < began + nanoseconds(asked.duration + rest))
     return why = "the test of " + input() + " runs: its output comes to rest", std::nullopt;
   if (lost_messages > 0)
-    return why = std::to_string(lost_messages) + " samples of the test were lost: run slower, or record it to a file",
+    return why = std::to_string(lost_messages) +
+                 " samples of the test were lost: run slower, or record it to a file",
            std::nullopt;
   if (u.size() < 2 || asked.output.samples.empty())
     return why = "the test has too few samples: was the run paused, or stopped?", std::nullopt;
@@ -149,7 +156,8 @@ inline std::optional<json> input_test::response(std::uint64_t now, std::string& 
   for (std::size_t i = 1; i < u.size(); ++i) stride = std::min(stride, u[i].first - u[i - 1].first);
   stride = std::max<std::int64_t>(stride, 1);
   const double rate = 1e9 / static_cast<double>(period * stride);
-  const std::int64_t last = asked.output.samples.back().first;
+  const std::int64_t last = std::min(asked.output.samples.back().first,
+                                     u.back().first + static_cast<std::int64_t>(1e9 * rest) / period);
   const auto record = [&](const port& of, double before, bool ends) {
     std::vector<double> values;
     std::size_t at = 0;
@@ -163,11 +171,13 @@ inline std::optional<json> input_test::response(std::uint64_t now, std::string& 
   const auto in = record(asked.excitation, 0, true);
   const auto first_of = [](const port& of) { return of.samples.empty() ? 0 : of.samples[0].second; };
   auto out = record(asked.output, first_of(asked.output), false);
-  const json head{{"input", input()}, {"signal", asked.signal}, {"amplitude", asked.amplitude}, {"rate", rate}};
+  const json head{
+      {"input", input()}, {"signal", asked.signal}, {"amplitude", asked.amplitude}, {"rate", rate}};
   json all = head;
   try {
     if (asked.signal == "step") {
-      const auto steps = static_cast<std::size_t>(u.back().first - u[0].first) / static_cast<std::size_t>(stride) + 1;
+      const auto steps =
+          static_cast<std::size_t>(u.back().first - u[0].first) / static_cast<std::size_t>(stride) + 1;
       out.resize(std::min(out.size(), steps));
       const step_figures figures = step_response(out, rate, asked.amplitude);
       all["gain"] = json_of(figures.gain), all["rise_time"] = json_of(figures.rise_time);
@@ -183,7 +193,8 @@ inline std::optional<json> input_test::response(std::uint64_t now, std::string& 
       if (asked.signal == "sine") {
         const auto length = static_cast<std::size_t>(std::llround(asked.duration * rate));
         const std::size_t used = std::min(values.size(), length);
-        return std::vector{sine_response(std::span(in).first(used), std::span(values).first(used), rate, asked.frequency)};
+        return std::vector{
+            sine_response(std::span(in).first(used), std::span(values).first(used), rate, asked.frequency)};
       }
       const double low = std::min(asked.frequency, asked.to), high = std::max(asked.frequency, asked.to);
       return chirp_response(in, values, rate, frequencies(low, std::max(high, low * 1.0001), 60));
@@ -225,7 +236,8 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
     const door_outcome told{outcome.is, outcome.why.empty() ? "" : "/cca/test: " + outcome.why};
     answer(client, one, told);
     // It has lost the right meanwhile.
-    if (outcome.is == door_outcome::how::done && !(commander && commander->id == client)) cut_test(time_point::clock::now());
+    if (outcome.is == door_outcome::how::done && !(commander && commander->id == client))
+      cut_test(time_point::clock::now());
   };
   requests.add(std::move(task), now);
   requests.tick(now);
@@ -235,9 +247,13 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
 inline void hub::cut_test(time_point now) {
   if (!tested.is_running(channels.latest)) return;
   tested.cut();
+  switch_test_off(now);
+}
+inline void hub::switch_test_off(time_point now) {
   door_task task{.name = "door", .what = "ends the test of " + tested.input(), .may_set = true};
   task.request.about = door_request::what::set;
-  task.request.values = {{tested.node() + ".signal", door_value{.what = door_value::kind::text, .text = "off"}}};
+  task.request.values = {
+      {tested.node() + ".signal", door_value{.what = door_value::kind::text, .text = "off"}}};
   task.is_test = true;
   requests.add_first(std::move(task), now);
 }
@@ -247,7 +263,9 @@ inline void hub::end_test(door_client& c, const service_call& one, time_point no
   if (runs) log(c.name, "/cca/end_test " + tested.input(), true);
   cut_test(now);
   requests.tick(now);
-  answer(c.id, one, {runs ? door_outcome::how::done : door_outcome::how::refused, runs ? "" : "/cca/end_test: no test runs"});
+  answer(c.id, one,
+         {runs ? door_outcome::how::done : door_outcome::how::refused,
+          runs ? "" : "/cca/end_test: no test runs"});
 }
 
 inline void hub::tell_response(door_client& c, const service_call& one) {

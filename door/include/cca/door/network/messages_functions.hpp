@@ -88,7 +88,11 @@ inline json json_of(const door_command& one) {
 }
 
 inline json json_of(const door_test_input& one) {
-  return {{"input", one.input}, {"node", one.node}, {"unit", one.unit}, {"axes", one.axes}, {"most", json_of(one.most)}};
+  return {{"input", one.input},
+          {"node", one.node},
+          {"unit", one.unit},
+          {"axes", one.axes},
+          {"most", json_of(one.most)}};
 }
 
 inline std::string description_message(const door_description& of,

@@ -17,7 +17,15 @@
 namespace cca::detail::door_network {
 
 struct door_service {
-  enum class does { take_command, give_command, undo, test, end_test, response, request } what = does::request;
+  enum class does {
+    take_command,
+    give_command,
+    undo,
+    test,
+    end_test,
+    response,
+    request
+  } what = does::request;
   std::string name{};
   door_request::what about = door_request::what::pause;
   std::vector<door_command::argument> numbers{};  // of a call of a command
@@ -53,8 +61,15 @@ inline std::vector<door_service> services_of(const door_description& of) {
       all.push_back({does::request, "/cca/release/" + one.name, about::release, {}, {}, one.name, true});
   }
   if (of.tests.empty()) return all;
-  all.push_back({.what = does::test, .name = "/cca/test",
-                 .numbers = {{"axis"}, {"amplitude"}, {"frequency", "Hz", 1}, {"to", "Hz", 10}, {"duration", "s", 10}, {"output_axis"}, {"from_axis"}},
+  all.push_back({.what = does::test,
+                 .name = "/cca/test",
+                 .numbers = {{"axis"},
+                             {"amplitude"},
+                             {"frequency", "Hz", 1},
+                             {"to", "Hz", 10},
+                             {"duration", "s", 10},
+                             {"output_axis"},
+                             {"from_axis"}},
                  .texts = {"input", "signal", "output", "from"}});
   all.push_back({.what = does::end_test, .name = "/cca/end_test"});
   all.push_back({.what = does::response, .name = "/cca/response"});
