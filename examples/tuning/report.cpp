@@ -1,7 +1,6 @@
 // The tuning of docs/tuning.md without a door: tests in a fast run, what they tell, and the gains made of it.
 //
 //   tuning_report [FILE.csv]    the curves, for the picture
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -75,7 +74,7 @@ int main(int count, char** words) {
   while (n + 1 < plant.size() && plant[n].frequency < crossing) ++n;
   const double w = 2 * cca::pi * plant[n].frequency;
   const double lead = margin - cca::pi - plant[n].phase;  // of the controller, kp + kd s
-  const double kp = std::cos(lead) / plant[n].gain, kd = std::sin(lead) / plant[n].gain / w;
+  const double kp = cca::math::cos(lead) / plant[n].gain, kd = cca::math::sin(lead) / plant[n].gain / w;
   // [gains end]
   std::printf("plant at %.2f Hz: %.4f rad/(N m), %.1f deg, coherence %.4f\n", plant[n].frequency,
               plant[n].gain, plant[n].phase * 180 / cca::pi, plant[n].coherence);
