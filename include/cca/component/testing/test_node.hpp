@@ -246,19 +246,19 @@ struct test_facts {
 
 // Of `servo.reference` the part before the dot, and that after it; without a dot both are empty.
 template <std::size_t Size, fixed_string Whole, std::size_t From>
-inline constexpr auto piece = [] {
+consteval auto piece_of() {
   char all[Size + 1]{};
   for (std::size_t i = 0; i < Size; ++i) all[i] = Whole.text[From + i];
   return fixed_string(all);
-}();
+}
 template <fixed_string Input, std::size_t Dot = Input.view().find('.')>
 struct parts_of_input {
-  static constexpr auto node = piece<Dot, Input, 0>;
-  static constexpr auto port = piece<Input.view().size() - Dot - 1, Input, Dot + 1>;
+  static constexpr auto node = piece_of<Dot, Input, 0>();
+  static constexpr auto port = piece_of<Input.view().size() - Dot - 1, Input, Dot + 1>();
 };
 template <fixed_string Input>
 struct parts_of_input<Input, std::string_view::npos> {
-  static constexpr auto node = piece<0, Input, 0>, port = node;
+  static constexpr auto node = piece_of<0, Input, 0>, port = node;
 };
 
 // A type of its own for each tested input, short in messages.

@@ -10,14 +10,13 @@
 // section 5.3. Every machine computes the same bits (base/math.hpp).
 #pragma once
 
-#include <cstdint>
 #include <numbers>
 
 #include <cca/base/math.hpp>
 
 namespace cca {
 
-enum class test_signal : std::uint8_t { off, step, sine, chirp, linear_chirp };
+enum class test_signal { off, step, sine, chirp, linear_chirp };
 
 namespace detail {
 

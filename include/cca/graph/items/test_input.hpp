@@ -42,14 +42,16 @@ inline constexpr bool is_test_input<test_input<Input, Range>> = true;
 
 // Of `servo.reference` `test_servo_reference`.
 template <fixed_string Input>
-inline constexpr auto name_of_test = [] {
+consteval auto name_as_test() {
   constexpr std::string_view before = "test_";
   char all[sizeof(Input.text) + before.size()]{};
   std::size_t end = 0;
   for (const char c : before) all[end++] = c;
   for (const char c : Input.view()) all[end++] = c == '.' ? '_' : c;
   return fixed_string(all);
-}();
+}
+template <fixed_string Input>
+inline constexpr auto name_of_test = name_as_test<Input>();
 // ---- the node whose input it is ----
 
 struct no_such_node {};
