@@ -49,7 +49,7 @@ struct running {
 
 json chirp(double seconds = 5) {
   return {{"input", "servo.reference"}, {"output", "drive.angle"}, {"signal", "chirp"},
-          {"amplitude", 0.05},          {"frequency", 0.5},          {"to", 50},
+          {"amplitude", 0.05},          {"frequency", 0.5},        {"to", 50},
           {"duration", seconds}};
 }
 json with(json of, const char* name, const json& value) {
@@ -208,6 +208,7 @@ TEST_CASE("input tests: one ends with its end, the right to command, its connect
     std::string said;
     c.waits([&] { return (said = c.call("/cca/test", chirp(100))).empty(); });
     REQUIRE(said == "");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // some seconds of the run
     CHECK(c.call("/cca/end_test") == "");
     CHECK(is_off(seen));
     CHECK(!response(c).is_null());
@@ -226,7 +227,7 @@ TEST_CASE("input tests: one ends with its end, the right to command, its connect
 }
 
 TEST_CASE("input tests: a recording of one, also of one that was ended, replays bit for bit") {
-  const temporary_file file("input_test");
+  const laws::temporary_file file("input_test");
   {
     controller c;
     cca::recording::recorder recording(c, file.path, {.waits = true});
@@ -234,7 +235,8 @@ TEST_CASE("input tests: a recording of one, also of one that was ended, replays 
     c.start();
     c.run(cca::for_beats<500>{});
     auto p = c.get<"test_servo_reference">().p;
-    p.signal = cca::test_signal::chirp, p.amplitude = 0.1, p.frequency = 1, p.to = 80, p.duration = 1, p.run = 1;
+    p.signal = cca::test_signal::chirp, p.amplitude = 0.1, p.frequency = 1, p.to = 80, p.duration = 1,
+    p.run = 1;
     c.set<"test_servo_reference">(p);
     c.run(cca::for_beats<1500>{});
     p.signal = cca::test_signal::sine, p.duration = 600, p.run = 2;
