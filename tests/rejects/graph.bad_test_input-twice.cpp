@@ -3,14 +3,11 @@
 #include <cca/cca.hpp>
 
 struct angle : cca::space<cca::joint_angles, cca::axes<cca::x>> {};
-struct turn : cca::space<cca::orientation, cca::axes<cca::x, cca::y, cca::z>> {};
 struct plan {
   auto process(cca::beat) -> cca::out<"wanted", angle> { return 0.0; }
 };
 struct servo {
-  void process(cca::in<"reference", angle>,
-               cca::optional_in<"turn", turn>,
-               cca::optional_in<"velocity", angle>) {}
+  void process(cca::in<"reference", angle>, cca::optional_in<"velocity", angle>) {}
 };
 
 struct axis : cca::graph<cca::rate<1000>,

@@ -1,4 +1,4 @@
-// EXPECT: graph\.bad_test_input: cca::test_input<`servos\.reference`> names no input of a node of this graph: write it as in a wire
+// EXPECT: graph\.bad_test_input: `servos\.reference` of a cca::test_input is no input of a node of this graph: write it as in a wire
 // A test names an input as a wire does.
 #include <cca/cca.hpp>
 

@@ -120,15 +120,16 @@ struct most_of_test<Space, up_to<Most>> {
 
 // ---- refusals ----
 
+// Of a component without this input wire.unknown_port tells.
 template <class Component, fixed_string Port>
-struct no_tested_input {
+struct test_of_inner_graph {
   static constexpr void tell(text& m) {
-    m << "graph.bad_test_input: `" << type_name<Component>() << "` has no input `" << Port.view()
-      << "`, which a cca::test_input names: name one of its inputs";
-    if constexpr (requires { typename Component::cca_items; })
-      m << "; it is an inner graph: declare the test input among its own items";
+    m << "graph.bad_test_input: `" << type_name<Component>() << "`, whose input `" << Port.view()
+      << "` a cca::test_input names, is an inner graph: declare the test input among its own items";
   }
 };
+template <class Component>
+inline constexpr bool is_inner_graph = requires { typename Component::cca_items; };
 template <class Component, fixed_string Port, class Space>
 struct no_vector_to_test {
   static constexpr void tell(text& m) {
@@ -234,7 +235,7 @@ struct test_facts {
     else return 1.0;
   }();
   static constexpr bool has_range = most > 0 && most <= largest_double;
-  static_assert(holds_or_tells<has_input, no_tested_input<Component, Port>>::value);
+  static_assert(holds_or_tells<!is_inner_graph<Component>, test_of_inner_graph<Component, Port>>::value);
   static_assert(holds_or_tells < !has_input || has_vector,
                 no_vector_to_test < Component,
                 Port,

@@ -70,8 +70,8 @@ struct component_named<Name, node<Its, Component, Strategy>, Rest...>
 template <fixed_string Input>
 struct test_of_unknown_node {
   static constexpr void tell(text& m) {
-    m << "graph.bad_test_input: cca::test_input<`" << Input.view()
-      << "`> names no input of a node of this graph: write it as in a wire, `node.port`";
+    m << "graph.bad_test_input: `" << Input.view()
+      << "` of a cca::test_input is no input of a node of this graph: write it as in a wire, `node.port`";
   }
 };
 template <fixed_string Input>
