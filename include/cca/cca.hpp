@@ -20,6 +20,7 @@
 #include <cca/graph/describe.hpp>
 #include <cca/graph/verdict/diagnosis.hpp>
 #include <cca/graph/items/graph.hpp>
+#include <cca/graph/items/test_input.hpp>
 #include <cca/robot/limiter.hpp>
 #include <cca/robot/watchdog.hpp>
 #include <cca/runtime/controller.hpp>

@@ -15,6 +15,7 @@
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/separate/compiled.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/component/testing/test_mark.hpp>
 
 namespace cca::detail {
 
@@ -44,6 +45,17 @@ std::vector<component_values> values_of_components(const Controller& controller)
   std::vector<component_values> all;
   controller.for_each_component([&]<class Component>(std::string_view path, const Component& component) {
     if constexpr (HasParameters<Component>)
+      all.push_back({std::string(path), &parameters_schema<Component>(), &component.p});
+  });
+  return all;
+}
+
+// Those that a file gets.
+template <class Controller>
+std::vector<component_values> values_to_save(const Controller& controller) {
+  std::vector<component_values> all;
+  controller.for_each_component([&]<class Component>(std::string_view path, const Component& component) {
+    if constexpr (HasParameters<Component> && !TestNode<Component>)
       all.push_back({std::string(path), &parameters_schema<Component>(), &component.p});
   });
   return all;

@@ -45,10 +45,12 @@ private:
 
 std::string text_of_parameter_file(const std::string& file);
 void write_parameter_file(const std::string& file, std::string_view text);
-// Refuses values that loading would refuse. `name`: of the file, for messages.
+// Refuses values that loading would refuse. `name`: of the file, for messages. `before`: the same parameters
+// at an earlier time, or none; where one was different then, a comment says what it was.
 std::string parameters_as_toml(const std::vector<component_values>& all,
                                std::string_view name,
-                               std::string_view within);
+                               std::string_view within,
+                               const std::vector<component_values>& before = {});
 
 inline constexpr schema no_parameters{.what = kind::table};
 
@@ -88,12 +90,21 @@ template <class Controller>
 std::string parameters_text(const Controller& controller,
                             std::string_view name,
                             std::string_view within = {}) {
-  return parameters_as_toml(values_of_components(controller), name, within);
+  return parameters_as_toml(values_to_save(controller), name, within);
 }
 
 template <class Controller>
 void save_parameters(const Controller& controller, std::string_view file, std::string_view within = {}) {
   write_parameter_file(std::string(file), parameters_text(controller, file, within));
+}
+// With what each parameter was, in a copy of the controller's parameters.
+template <class Controller>
+void save_parameters_since(const Controller& controller,
+                           const Controller& before,
+                           std::string_view file,
+                           std::string_view within) {
+  write_parameter_file(std::string(file),
+                       parameters_as_toml(values_to_save(controller), file, within, values_to_save(before)));
 }
 
 // A controller's load(file), save(file), and set and parameter with a path call these. The core only declares
@@ -105,6 +116,12 @@ struct config_backend {
   }
   static void save(const Controller& controller, std::string_view file, std::string_view within = {}) {
     save_parameters(controller, file, within);
+  }
+  static void save_since(const Controller& controller,
+                         const Controller& before,
+                         std::string_view file,
+                         std::string_view within) {
+    save_parameters_since(controller, before, file, within);
   }
 
   template <class Value>

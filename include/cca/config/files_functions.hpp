@@ -139,7 +139,8 @@ CCA_CONFIG_INLINE void write_parameter_file(const std::string& file, std::string
 
 CCA_CONFIG_INLINE std::string parameters_as_toml(const std::vector<component_values>& all,
                                                  std::string_view name,
-                                                 std::string_view within) {
+                                                 std::string_view within,
+                                                 const std::vector<component_values>& before) {
   problems found(name);
   std::string text;
   for (const component_values& one : all) {
@@ -147,7 +148,9 @@ CCA_CONFIG_INLINE std::string parameters_as_toml(const std::vector<component_val
     std::vector<complaint> complaints;
     check(*one.type, one.values, one.path, complaints);
     for (auto& each : complaints) found.add(nullptr, each.path, std::move(each.what));
-    write_table(*one.type, one.values, toml_path(one.path), text);
+    const auto was = std::ranges::find(before, one.path, &component_values::path);
+    write_table(*one.type, one.values, was == before.end() ? nullptr : was->values, toml_path(one.path),
+                text);
   }
   found.refuse();
   return text;

@@ -1,4 +1,5 @@
-// Writes a parameters struct as TOML text: one table per struct, with ranges and choices as comments.
+// Writes a parameters struct as TOML text: one table per struct, with ranges, choices and earlier values as
+// comments.
 #pragma once
 
 #include <string>
@@ -8,11 +9,18 @@
 
 namespace cca::detail {
 
-inline std::string comment(const schema& type) {
-  if (type.what == kind::array) return comment(*type.element);
-  if (type.what == kind::choice) return "  # " + names_text(type);
-  const std::string range = type.stated_range ? range_text(type) : std::string{};
-  return range.empty() ? range : "  # " + range;
+inline std::string range_comment(const schema& type) {
+  if (type.what == kind::array) return range_comment(*type.element);
+  if (type.what == kind::choice) return names_text(type);
+  return type.stated_range ? range_text(type) : std::string{};
+}
+// The range, and what the value was where `before` has another one.
+inline std::string comment(const schema& type, const std::string& now, const void* before) {
+  std::string text = range_comment(type);
+  if (before)
+    if (const std::string was = toml_value(type, before); was != now)
+      text.append(text.empty() ? "was " : "; was ").append(was);
+  return text.empty() ? text : "  # " + text;
 }
 
 // A long array of arrays or tables gets one line per element.
@@ -28,9 +36,10 @@ inline std::string toml_lines(const schema& type, const void* value) {
   return lines.append("]");
 }
 
-// `path` is spelled as TOML. A table's values come before its inner tables: after them they would belong to
-// those.
-inline void write_table(const schema& type, const void* value, const std::string& path, std::string& out) {
+// `before`: the value at an earlier time, or null. `path` is spelled as TOML. A table's values come before
+// its inner tables: after them they would belong to those.
+inline void write_table(
+    const schema& type, const void* value, const void* before, const std::string& path, std::string& out) {
   if (type.count) out.append(out.empty() ? "[" : "\n[").append(path).append("]\n");
   for (std::size_t i = 0; i < type.count; ++i) {
     const member& one = type.members[i];
@@ -38,13 +47,14 @@ inline void write_table(const schema& type, const void* value, const std::string
       out.append(toml_key(one.name))
           .append(" = ")
           .append(toml_lines(*one.type, one.of(value)))
-          .append(comment(*one.type))
+          .append(comment(*one.type, toml_value(*one.type, one.of(value)), before ? one.of(before) : nullptr))
           .append("\n");
   }
   for (std::size_t i = 0; i < type.count; ++i) {
     const member& one = type.members[i];
     if (one.type->what == kind::table)
-      write_table(*one.type, one.of(value), path + "." + toml_key(one.name), out);
+      write_table(*one.type, one.of(value), before ? one.of(before) : nullptr,
+                  path + "." + toml_key(one.name), out);
   }
 }
 

@@ -17,6 +17,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/component/testing/test_mark.hpp>
 #include <cca/graph/verdict/unknown_path.hpp>
 #include <cca/runtime/dropped_samples.hpp>
 #include <cca/runtime/each_component.hpp>
@@ -142,6 +143,9 @@ public:
   void resume() {
     move(transition::resume, "resume()");
     reason = {};
+    visit([]<class C>(int, [[maybe_unused]] C& component) {
+      if constexpr (TestNode<C>) component.end_test();
+    });
   }
 
   cca::state state() const noexcept { return now; }

@@ -100,8 +100,8 @@ export class Door {
       answer: () => {
         const call = this.waiting.get(m.call);
         this.waiting.delete(m.call);
-        const { success, message } = JSON.parse(m.answer);
-        if (success) call?.done(message);
+        const answer = JSON.parse(m.answer), { success, message } = answer;
+        if (success) call?.done(answer);
         else call?.refuse(new Error(message));
       },
       serviceCallFailure: () => {
@@ -293,7 +293,9 @@ export class Door {
   // ---- what one can ask ----
 
   // Done, with what the program says; or refused, with its reason.
-  call(name, request = {}) {
+  async call(name, request) { return (await this.ask(name, request)).message; }
+  // The whole answer.
+  ask(name, request = {}) {
     return new Promise((done, refuse) => {
       const service = this.services.get(`/cca/${name}`);
       if (!this.isConnected) return refuse(new Error('there is no connection to the program'));

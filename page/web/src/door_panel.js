@@ -1,4 +1,6 @@
 // What one sees and does of a running program: the connection, the right to command, STOP, modes, parts, commands.
+import { inputTest } from './input_test.js';
+
 const $ = (id) => document.getElementById(id);
 const make = (name, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(name), properties);
@@ -171,6 +173,7 @@ export class DoorPanel {
       (one) => this.ask(one.isStopped ? `${part} starts` : `${part} stops`, one.isStopped ? 'start_part' : 'stop_part', { part })))));
     this.held = new Map();
     $('commands').replaceChildren(...commands.map((command) => this.command(command)));
+    $('tests').replaceChildren(...inputTest(this, this.door.program.tests ?? []));
     this.enable();
   }
   command({ name, help, held, arguments: all }) {

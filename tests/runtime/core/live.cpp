@@ -181,7 +181,7 @@ TEST_SUITE("live access") {
     CHECK_EQ(c.get<"source">().p.slope, 2.0);
     std::ifstream saved(file);
     const std::string text{std::istreambuf_iterator<char>(saved), {}};
-    CHECK(text.starts_with("[source]\nslope = 2.0"));
+    CHECK(text.starts_with("[source]\nslope = 2.0  # 0 to 100; was 1.0\n"));
     CHECK_EQ(text.find("[other]"), std::string::npos);
     std::remove(file.c_str());
   }

@@ -16,6 +16,7 @@
 
 #include "../sample_fields.hpp"
 #include "conversation.hpp"
+#include "input_test.hpp"
 #include "options.hpp"
 
 namespace cca_door {
@@ -124,6 +125,9 @@ inline void describe(conversation& door, const call_options& o, std::ostream& ou
     out << "parameter " << one.path << ' ' << text_of_value(one.value)
         << (one.unit.empty() ? "" : " " + one.unit) << (range.empty() ? "" : " (" + range + ")") << '\n';
   }
+  for (const json& one : list_in(all, "tests"))
+    out << "test " << text_in(one, "input") << " (up to " << text_of(number_in(one, "most")) << ' '
+        << text_in(one, "unit") << ")\n";
   for (const json& one : list_in(all, "commands")) {
     out << "command " << text_in(one, "name");
     for (const json& of : list_in(one, "arguments")) {
@@ -259,6 +263,7 @@ inline int run_call(call_options& o, std::ostream& out, std::ostream& error) {
     else if (c == "describe") describe(door, o, out);
     else if (c == "watch") watch(door, o, out, error);
     else if (c == "command") command(door, o, error);
+    else if (c == "test") test(door, o, out);
     else {
       const auto [service, arguments] = service_of(o);
       if (c == "stop" && o.words.empty()) {  // whoever commands

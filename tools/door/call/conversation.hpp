@@ -90,7 +90,7 @@ public:
     return described;
   }
 
-  void call(const std::string& service, const json& arguments = json::object()) {
+  json call(const std::string& service, const json& arguments = json::object()) {
     const auto found = door.services.find(service);
     if (found == door.services.end()) throw cca::refused("this door has no service " + service);
     const std::uint32_t number = line.call(found->second, arguments);
@@ -108,6 +108,7 @@ public:
       const std::string why = text_in(answer, "message");
       throw cca::refused(why.empty() ? service + " was refused without a reason" : why);
     }
+    return answer;
   }
 
   void need_token(const std::string& what) const {

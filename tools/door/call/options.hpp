@@ -59,6 +59,8 @@ inline constexpr call_command call_commands[] = {
     {"end-recording", "", "and ends it", 0, 0},
     {"command", "NAME [ARGUMENT=VALUE...]", "a command of the program; a held one until ctrl-c or --for S", 1,
      any_number},
+    {"test", "INPUT OUTPUT SIGNAL [NAME=VALUE...]",
+     "adds step, sine or chirp to an input, prints gain and phase to the output; --json", 3, any_number},
     {"release", "NAME", "ends the effect of a command", 1, 1},
 };
 
@@ -71,7 +73,7 @@ inline void call_options::add_to(cca::command_line& line) {
   }
   line.words("PORT COMMAND", all_words, any_number, what);
   token.add_to(line);
-  line.flag("--json", json, "get, status, describe, watch: prints JSON");
+  line.flag("--json", json, "get, status, describe, watch, test: prints JSON");
   line.whole_number("--count N", count, 1, "watch: ends after N samples");
   line.number("--for S", hold_for, 0, 1e6, "command: holds it so many seconds");
   line.number("--timeout S", answers_within, 0.01, 600,
@@ -104,7 +106,7 @@ inline void call_options::split() {
     if (is_given && std::find(commands.begin(), commands.end(), command) == commands.end())
       throw cca::command_line_error(std::string(option) + " does nothing with `" + command + "`; see --help");
   };
-  only(json, "--json", {"get", "status", "describe", "watch"});
+  only(json, "--json", {"get", "status", "describe", "watch", "test"});
   only(count > 0, "--count", {"watch"});
   only(hold_for.has_value(), "--for", {"command"});
 }

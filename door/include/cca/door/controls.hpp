@@ -43,6 +43,13 @@ struct door_command {
   bool is_held = false;
 };
 
+// An input that a test may add a signal to (cca::test_input), and the node whose parameters say which.
+struct door_test_input {
+  std::string input, node, unit{};  // `servo.reference`, `test_servo_reference`
+  std::vector<std::string> axes{};
+  double most = 0;  // the largest amplitude
+};
+
 struct door_environment {
   std::string name;
   std::int64_t beats = 0, overruns = 0, lost_periods = 0, late = 0;
@@ -67,6 +74,7 @@ struct door_description {
   std::vector<std::string> modes{}, parts{}, nodes{};
   std::vector<std::pair<std::string, std::string>> wires{};  // output path, input path
   std::vector<door_command> commands{};
+  std::vector<door_test_input> tests{};
 };
 
 struct door_request {

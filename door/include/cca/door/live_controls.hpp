@@ -63,6 +63,7 @@ public:
       for (int m = 0; m < mode_count<graph>; ++m)
         told.modes.emplace_back(live_components::mode_name<Controller>(m));
     told.commands = commands.described();
+    add_tests(std::make_integer_sequence<int, counts_of<graph>.node_count>{});
   }
 
   const door_description& description() const override { return told; }
@@ -147,9 +148,33 @@ public:
     return one.exchange(false, std::memory_order_acquire);
   }
   void obey(Controller& c) { commands.obey(c); }
-  void end(Controller& c) { commands.end(c); }
+  void end(Controller& c) {
+    commands.end(c);
+    if (!told.tests.empty())
+      c.for_each_component([]<class Component>(std::string_view, Component& component) {
+        if constexpr (TestNode<Component>) component.end_test();
+      });
+  }
 
 private:
+  template <int... Node>
+  void add_tests(std::integer_sequence<int, Node...>) {
+    (add_test<typename node_types<graph, Node>::component>(Node), ...);
+  }
+  template <class Component>
+  void add_test([[maybe_unused]] int node) {
+    if constexpr (TestNode<Component>) {
+      using space = typename Component::space;
+      const std::string path = path_of_node<graph>(node);
+      const std::size_t scope = path.rfind('.') + 1;
+      door_test_input one{.input = path.substr(0, scope) + std::string(Component::tested), .node = path};
+      one.unit = space::domain::quantity::unit;
+      for (int axis = 0; axis < space::axes::count; ++axis)
+        one.axes.emplace_back(space_of<space>.labels[axis]);
+      one.most = Component::most;
+      told.tests.push_back(std::move(one));
+    }
+  }
   void want_a_look() const noexcept {
     for (auto& one : wanted) one.store(true, std::memory_order_release);
   }

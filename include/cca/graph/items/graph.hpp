@@ -18,9 +18,21 @@
 
 namespace cca {
 
+namespace detail {
+
+// An item that stands for several, and for other ends of wires: graph/items/test_input.hpp.
+template <class Item>
+inline constexpr bool is_test_input = false;
+template <bool HasTestInputs, class... Items>
+struct items_of_graph {
+  using type = list<Items...>;
+};
+
+}  // namespace detail
+
 template <class... Items>
 struct graph {
-  using cca_items = detail::list<Items...>;
+  using cca_items = typename detail::items_of_graph<(detail::is_test_input<Items> || ...), Items...>::type;
 };
 
 // A component, or a graph, under a name.

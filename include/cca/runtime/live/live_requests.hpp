@@ -74,13 +74,14 @@ public:
     return request(asked::parameters, loops_at(path, "load"),
                    [&] { config_or_none<shadows>::load(known, file, path); });
   }
-  // Writes them as they are known here, in this thread.
+  // Writes them as they are known here, in this thread, each with what it was when this was made, as a
+  // comment, where that differs.
   bool save(std::string_view file, std::string_view path = {}) {
     static_assert(has_config<shadows>, "cca::live_access: save(file) needs #include <cca/config.hpp>");
     loops_at(path, "save");
     if (!mailbox.claim()) return false;
     const given_back at_the_end{mailbox};
-    config_or_none<shadows>::save(known, file, path);
+    config_or_none<shadows>::save_since(known, first, file, path);
     return true;
   }
   // As they are known here. Empty: busy.
@@ -121,7 +122,8 @@ public:
   }
 
 protected:
-  explicit live_requests(const Controller& c) : known(c), ordering(live_components::ordering_loop(c)) {
+  explicit live_requests(const Controller& c)
+      : known(c), first(known), ordering(live_components::ordering_loop(c)) {
     for (int node = 0; node < counts_of<Graph>.node_count; ++node)
       if (live_components::is_here(c, node)) with_components[array_size(loops::of_node(node))] = true;
     for (int part = 0; part < parts_kept<Graph>; ++part)
@@ -257,6 +259,7 @@ private:
   }
 
   shadows known;
+  const shadows first;                             // as they were when this was made
   typename mailbox_type::loops with_components{};  // here
   mailbox_type mailbox;
   asked what = asked::parameters;

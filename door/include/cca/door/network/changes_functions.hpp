@@ -99,12 +99,15 @@ inline void hub::call(door_client& c, const service_call& one, time_point now) {
   using does = door_service::does;
   const bool about_rights = of.what == does::take_command || of.what == does::give_command;
   const bool is_stop = of.what == does::request && of.about == door_request::what::end_run;
-  std::string why = why_not(c, !about_rights && !is_stop);
+  std::string why = why_not(c, !about_rights && !is_stop && of.what != does::response);
   if (why.empty() && of.what == does::take_command) why = take_command(c);
   else if (why.empty() && of.what == does::give_command) {
     if (commander == &c) give_command(c, now);
     else why = "this client does not command";
   }
+  if (why.empty() && of.what == does::test) return begin_test(c, one, *given, now);
+  if (why.empty() && of.what == does::end_test) return end_test(c, one, now);
+  if (why.empty() && of.what == does::response) return tell_response(c, one);
   if (why.empty() && !about_rights)
     return of.what == does::undo ? undo(c, one, now) : request(c, one, of, *given, now);
   if (!why.empty()) log(c.name, "refused: " + of.name + ": " + why, false);
@@ -161,12 +164,14 @@ inline void hub::end(
         differs += (differs.empty() ? " " : ", ") + one.path + " from " + text_of(json_of(was->value)) +
                    " to " + text_of(json_of(one.value)) + (one.unit.empty() ? "" : " " + one.unit);
     what += differs.empty() ? " nothing" : differs;
-    if (!differs.empty() || task.is_undo) remember(*before, *after, task.is_undo);
+    if ((!differs.empty() && !task.is_test) || task.is_undo) remember(*before, *after, task.is_undo);
   }
   log(task.name,
       (done ? "" : "refused: ") + what + (done ? "" : ": " + outcome.why) + (is_late ? " (late)" : ""), done);
   if (after) tell_changed(*after);
   if (task.answer && !is_late) task.answer(outcome);
+  // Its client was told that it is refused, so nobody ends it.
+  if (done && is_late && task.is_test && task.client != 0) switch_test_off(task.since);
   const bool is_call = task.request.about == door_request::what::call;
   if (done && task.is_held && is_call) {
     // It may have lost the right meanwhile: then the effect ends at once.

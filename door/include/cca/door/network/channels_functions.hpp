@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -59,6 +60,7 @@ public:
       client->subscriptions.erase(subscription);
     one.info = info;
     one.last.clear();
+    one.listeners = 0;
     wanted.set(info.id, info.is_kept);
     messages.push_back(written(
         {{"op", "advertise"}, {"channels", json::array({json_of(info, info.id >= first_own_channel)})}}));
@@ -80,6 +82,19 @@ public:
     show(log_channel, latest, line);
   }
 
+  std::optional<std::uint16_t> channel_of(std::string_view topic) const {
+    for (const auto& [id, one] : all)
+      if (one.info.topic == topic) return id;
+    return {};
+  }
+  // For the door itself, as one more subscription.
+  void listen(std::uint16_t channel, bool does) {
+    const auto found = all.find(channel);
+    if (found == all.end()) return;
+    shown& one = found->second;
+    one.listeners += does ? 1 : -1;
+    wanted.set(channel, one.is_wanted());
+  }
   bool is_wanted(std::uint16_t channel) const { return wanted[channel]; }
   // Empty, or why not.
   std::string subscribe(door_client& c, std::uint32_t subscription, std::uint32_t channel, std::size_t most) {
@@ -106,7 +121,7 @@ public:
     if (found == c.subscriptions.end()) return false;
     shown& one = all.at(found->second);
     std::erase_if(one.subscribers, [&](const auto& s) { return s.first == &c; });
-    wanted.set(one.info.id, one.info.is_kept || !one.subscribers.empty());
+    wanted.set(one.info.id, one.is_wanted());
     c.subscriptions.erase(found);
     return true;
   }
@@ -128,6 +143,8 @@ private:
     std::uint64_t last_time = 0;
     bool has_last = false;
     std::vector<std::pair<door_client*, std::uint32_t>> subscribers{};
+    int listeners = 0;
+    bool is_wanted() const { return info.is_kept || listeners > 0 || !subscribers.empty(); }
   };
   wanted_channels& wanted;
   std::unordered_map<std::uint16_t, shown> all{};

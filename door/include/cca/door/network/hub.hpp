@@ -17,6 +17,7 @@
 #include <cca/door/network/channels_functions.hpp>
 #include <cca/door/network/client.hpp>
 #include <cca/door/network/greeting_functions.hpp>
+#include <cca/door/network/input_tests.hpp>
 #include <cca/door/network/requests_functions.hpp>
 #include <cca/door/network/services_functions.hpp>
 #include <cca/door/network/tokens_functions.hpp>
@@ -46,6 +47,7 @@ public:
 
   void channel(const recording::channel_info&);
   void sample(std::uint16_t channel, std::uint64_t time, std::string_view data) {
+    tested.sample(channel, data);
     channels.show(channel, time, data);
   }
   void metadata(const std::string& name, const recording::detail::text_map& entries) {
@@ -87,6 +89,7 @@ private:
   std::uint64_t last_id = 0;
   door_client* commander = nullptr;
   std::set<std::string> held{};  // commands, by the commander
+  input_test tested{};           // the last one
   std::deque<undo_step> changes{};
   values known{};
   time_point watched{};
@@ -124,6 +127,13 @@ private:
   void answer(std::uint64_t client, const service_call&, const door_outcome&);
   void end(door_task&, const door_outcome&, const values* before, const values* after, bool is_late);
   void remember(const values& before, const values& after, bool is_undo);
+
+  // input_tests_functions.hpp
+  void begin_test(door_client&, const service_call&, const json&, time_point now);
+  void end_test(door_client&, const service_call&, time_point now);
+  void cut_test(time_point now);
+  void switch_test_off(time_point now);
+  void tell_response(door_client&, const service_call&);
 };
 
 }  // namespace cca::detail::door_network

@@ -9,6 +9,7 @@
 
 #include <cca/door/network/changes_functions.hpp>
 #include <cca/door/network/hub.hpp>
+#include <cca/door/network/input_tests_functions.hpp>
 #include <cca/door/network/messages_functions.hpp>
 #include <cca/door/network/rights_functions.hpp>
 
@@ -232,6 +233,7 @@ inline void hub::time(std::uint64_t ns) {
 
 inline void hub::lost(std::uint64_t count) {
   if (count == 0) return;
+  tested.lost(count);
   for (door_client& c : clients)
     if (!c.subscriptions.empty()) c.out.lost += count;
 }
@@ -245,6 +247,7 @@ inline void hub::tick(time_point now) {
 }
 
 inline void hub::regularly(time_point now) {
+  tested.rest_if_over(channels.latest, channels);
   if (channels.is_wanted(status_channel))
     channels.show(
         status_channel, channels.latest,

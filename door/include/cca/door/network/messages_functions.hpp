@@ -87,12 +87,22 @@ inline json json_of(const door_command& one) {
   return {{"name", one.name}, {"help", one.help}, {"held", one.is_held}, {"arguments", std::move(arguments)}};
 }
 
+inline json json_of(const door_test_input& one) {
+  return {{"input", one.input},
+          {"node", one.node},
+          {"unit", one.unit},
+          {"axes", one.axes},
+          {"most", json_of(one.most)}};
+}
+
 inline std::string description_message(const door_description& of,
                                        const std::vector<door_parameter>& parameters,
                                        const std::map<std::string, recording::detail::text_map>& metadata) {
   json wires = json::array(), commands = json::array(), ranges = json::array();
   for (const auto& [from, to] : of.wires) wires.push_back(json::array({from, to}));
   for (const auto& one : of.commands) commands.push_back(json_of(one));
+  json tests = json::array();
+  for (const auto& one : of.tests) tests.push_back(json_of(one));
   for (const auto& one : parameters) ranges.push_back(json_of(one, true));
   return written({{"op", "cca.description"},
                   {"program", of.program},
@@ -102,6 +112,7 @@ inline std::string description_message(const door_description& of,
                   {"nodes", of.nodes},
                   {"wires", std::move(wires)},
                   {"commands", std::move(commands)},
+                  {"tests", std::move(tests)},
                   {"parameters", std::move(ranges)},
                   {"metadata", metadata}});
 }

@@ -28,6 +28,7 @@ struct door_task {
   std::function<std::string(const std::vector<door_parameter>&, door_request&)> prepare{};
   std::function<void(const door_outcome&)> answer{};
   bool is_undo = false, is_held = false;  // held: a command that has an effect until it is released
+  bool is_test = false;                   // of an input: nothing that an undo takes back
   time_point since{};
 };
 

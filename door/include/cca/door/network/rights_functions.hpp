@@ -48,6 +48,7 @@ inline std::string hub::take_command(door_client& c) {
 
 inline void hub::give_command(door_client& c, time_point now) {
   for (const std::string& one : std::exchange(held, {})) release(one, now);
+  cut_test(now);
   commander = nullptr;
   log(c.name, "gives the command back", true);
   tell_rights();
@@ -64,6 +65,7 @@ inline void hub::lose_command(time_point now) {
     requests.add_first(std::move(task), now);
   }
   for (const std::string& one : std::exchange(held, {})) release(one, now);
+  cut_test(now);
 }
 
 inline void hub::release(const std::string& command, time_point now) {

@@ -17,7 +17,15 @@
 namespace cca::detail::door_network {
 
 struct door_service {
-  enum class does { take_command, give_command, undo, request } what = does::request;
+  enum class does {
+    take_command,
+    give_command,
+    undo,
+    test,
+    end_test,
+    response,
+    request
+  } what = does::request;
   std::string name{};
   door_request::what about = door_request::what::pause;
   std::vector<door_command::argument> numbers{};  // of a call of a command
@@ -52,6 +60,19 @@ inline std::vector<door_service> services_of(const door_description& of) {
     if (one.is_held)
       all.push_back({does::request, "/cca/release/" + one.name, about::release, {}, {}, one.name, true});
   }
+  if (of.tests.empty()) return all;
+  all.push_back({.what = does::test,
+                 .name = "/cca/test",
+                 .numbers = {{"axis"},
+                             {"amplitude"},
+                             {"frequency", "Hz", 1},
+                             {"to", "Hz", 10},
+                             {"duration", "s", 10},
+                             {"output_axis"},
+                             {"from_axis"}},
+                 .texts = {"input", "signal", "output", "from"}});
+  all.push_back({.what = does::end_test, .name = "/cca/end_test"});
+  all.push_back({.what = does::response, .name = "/cca/response"});
   return all;
 }
 
@@ -184,15 +205,18 @@ inline std::optional<service_call> read_call(std::string_view bytes) {
   one.payload = bytes.substr(13 + size);
   return one;
 }
-inline std::string answer_of_call(std::uint32_t service,
-                                  std::uint32_t call,
-                                  bool success,
-                                  const std::string& message) {
+inline std::string bytes_of_answer(std::uint32_t service, std::uint32_t call, const std::string& answer) {
   std::string bytes = "\3";
   add_number(bytes, service);
   add_number(bytes, call);
   add_number(bytes, std::uint32_t{4});
-  return bytes + "json" + written({{"success", success}, {"message", message}});
+  return bytes + "json" + answer;
+}
+inline std::string answer_of_call(std::uint32_t service,
+                                  std::uint32_t call,
+                                  bool success,
+                                  const std::string& message) {
+  return bytes_of_answer(service, call, written({{"success", success}, {"message", message}}));
 }
 
 }  // namespace cca::detail::door_network
