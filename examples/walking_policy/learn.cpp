@@ -49,24 +49,25 @@ using parameters = walking::policy::network::parameters;
 constexpr int review_every = 10;  // generations
 
 struct options {
-  std::string out = "walk.policy", imitated;
+  std::string out = "walk.policy", imitated, from;
   std::uint64_t seed = 1;
   int rounds = 4, runs = 32, passes = 20, generations = 400, directions = 32, reviews = 48, both = 0;
-  double seconds = 6, noise = 0.02, step = 0.005;
+  double seconds = 6, noise = 0.025, step = 0.01;
   bool quick = false, quiet = false;
   trot::engine engine = trot::engine::compiled;
 
   void offer(cca::command_line& line) {
     line.text("--out FILE", out, "the weights (walk.policy)");
     line.text("--imitated FILE", imitated, "the weights before the evolution");
-    line.whole_number("--seed N", seed, 0, "of the training (1)");
+    line.text("--from FILE", from, "weights with which the evolution begins; without imitation");
+    line.whole_number("--seed N", seed, 1, "of the training (1)");
     line.number("--rounds N", rounds, 1, 100, "of imitation; in the first the trot drives (4)");
     line.number("--runs N", runs, 1, 1000, "of a round (32)");
     line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (20)");
     line.number("--generations N", generations, 0, 1e4, "of the evolution (400)");
     line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (32)");
-    line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.02)");
-    line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.005)");
+    line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.025)");
+    line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.01)");
     line.number("--seconds S", seconds, 3, 100, "of a run, simulated (6)");
     line.whole_number("--both N", both, 0, 1000, "each how many-th direction is in the other engine; 0: none (0)");
     line.flag("--quick", quick, "a few short runs, to try the program");
@@ -96,12 +97,18 @@ public:
   }
 
   int run() {
-    imitate();
-    if (ends_early_) return ended();
-    if (!o_.imitated.empty()) save(o_.imitated);
+    if (o_.from.empty()) {
+      imitate();
+      if (ends_early_) return ended();
+      if (!o_.imitated.empty()) save(o_.imitated, weights_);
+    } else {
+      walking::policy learned;
+      learned.read(o_.from);
+      weights_ = learned.weights;
+    }
     const int generations = evolve();
     bar_.done();
-    save(o_.out);
+    save(o_.out, weights_);
     if (!cores_.is_first()) return interrupted_.exit_code();
     std::printf(
         "seed %llu, %d generations; %zu runs of up to %.0f s; %.0f s, %u cores here, ranks %d\n",
@@ -115,7 +122,7 @@ public:
   }
 
 private:
-  walking::trial next() { return walking::drawn_trial(walking::first_of_training + trials_++); }
+  walking::trial next() { return walking::drawn_trial(walking::first_of_training * o_.seed + trials_++); }
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -125,10 +132,10 @@ private:
     return interrupted_.exit_code();
   }
   bool shows() const { return !o_.quiet && cores_.is_first(); }
-  void save(const std::string& file) const {
+  void save(const std::string& file, const parameters& weights) const {
     if (!cores_.is_first()) return;
     walking::policy learned;
-    learned.weights = weights_;
+    learned.weights = weights;
     learned.save(file);
   }
 
@@ -190,9 +197,7 @@ private:
       for (int i = 0; i < o_.directions; ++i) trials.push_back(next());
       const std::vector<double> values = rollouts(points.size(), "evolution", [&](std::size_t i) {
         const std::size_t direction = i / 2;
-        return o_.both > 0 && direction % static_cast<std::size_t>(o_.both) == 0
-                   ? worth<Other>(points[i], trials[direction])
-                   : worth<World>(points[i], trials[direction]);
+        return worth_in(points[i], trials[direction], direction);
       });
       if (ends_early_) break;
       search.tell(values);
@@ -201,7 +206,9 @@ private:
       if (ends_early_) break;
       reviewed = generation;
       say("generation %d: worth %.4f", generation, now);
-      if (now > best) best = now, kept = with(search.mean());
+      if (now <= best) continue;
+      best = now, kept = with(search.mean());
+      save(o_.out, kept);
     }
     weights_ = kept;
     return reviewed;
@@ -213,6 +220,10 @@ private:
     return all;
   }
 
+  double worth_in(const Eigen::VectorXd& last, const walking::trial& t, std::size_t number) {
+    const bool other = o_.both > 0 && number % static_cast<std::size_t>(o_.both) == 0;
+    return other ? worth<Other>(last, t) : worth<World>(last, t);
+  }
   template <class In>
   double worth(const Eigen::VectorXd& last, const walking::trial& t) {
     cca::controller<walk<In>> c;
@@ -226,7 +237,7 @@ private:
   // The same trials each time, so that their means can be compared.
   double review(const Eigen::VectorXd& last) {
     const std::vector<double> values =
-        rollouts(review_.size(), "review", [&](std::size_t i) { return worth<World>(last, review_[i]); });
+        rollouts(review_.size(), "review", [&](std::size_t i) { return worth_in(last, review_[i], i); });
     double sum = 0;
     for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());

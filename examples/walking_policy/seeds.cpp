@@ -109,13 +109,13 @@ range over(const std::vector<run_of_seed>& runs, Figure figure) {
   return r;
 }
 
-template <class Architecture>
+template <class Architecture, gait Driver>
 int judge(const options& o) {
   std::vector<std::string> limited;     // in the first run
   const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
   cca::controller<Architecture> start;
   walking::name_weights(start, o.weights);
-  if constexpr (requires { start.template get<"driver">(); }) start.template get<"driver">().by_teacher = true;
+  if constexpr (Driver == gait::trot) start.template get<"driver">().by_teacher = true;
   if (o.config.empty()) start.load();
   else start.load(o.config);
 
@@ -184,12 +184,12 @@ int judge(const options& o) {
                     {"runs", each}});
   }
   std::printf("%s, %s: %zu of %zu runs walk as commanded, %.0f s each, %s%s: %zu fell\n",
-              std::string(gait_names[static_cast<std::size_t>(o.driver)]).c_str(), trot::name_of(o.engine).c_str(),
+              std::string(gait_names[static_cast<std::size_t>(Driver)]).c_str(), trot::name_of(o.engine).c_str(),
               walked, all.size(), o.seconds, o.ground.name().c_str(), o.uncertain ? ", uncertain" : "", falls);
   for (const std::string& line : limited) std::printf("first run: %s\n", line.c_str());
   if (!o.summary.empty())
     trot::write(o.summary, [&](std::ostream& file) {
-      trot::write(file, trot::json{{"gait", gait_names[static_cast<std::size_t>(o.driver)]},
+      trot::write(file, trot::json{{"gait", gait_names[static_cast<std::size_t>(Driver)]},
                                    {"engine", trot::name_of(o.engine)},
                                    {"terrain", o.ground.name()},
                                    {"uncertain", o.uncertain},
@@ -204,7 +204,7 @@ int judge(const options& o) {
 
 template <class World>
 int judge_in(const options& o) {
-  return o.driver == gait::policy ? judge<by_policy<World>>(o) : judge<by_trot<World>>(o);
+  return o.driver == gait::policy ? judge<by_policy<World>, gait::policy>(o) : judge<by_trot<World>, gait::trot>(o);
 }
 
 }  // namespace
