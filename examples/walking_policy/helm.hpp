@@ -6,9 +6,6 @@
 //   out "relative"      the same, without the commanded heading
 //
 // An orientation that is not finite passes.
-#include <cmath>
-#include <numbers>
-
 #include <cca/cca.hpp>
 
 #include "spaces.hpp"
@@ -26,7 +23,7 @@ struct helm {
   auto process(cca::in<"orientation", oncilla::trunk_orientation> trunk, cca::beat now)
       -> cca::out<"relative", oncilla::trunk_orientation> {
     const double time = static_cast<double>(now.time()) * 1e-9;
-    if (time >= p.start) heading_ = std::remainder(heading_ + now.dt() * p.turn, 2 * std::numbers::pi);
+    if (time >= p.start) heading_ = cca::wrap_signed(heading_ + now.dt() * p.turn);
     const double c = cca::math::cos(0.5 * heading_), s = cca::math::sin(0.5 * heading_);
     const auto& q = trunk.vector();  // x, y, z, w; a turn about the vertical by -heading, then q
     return Eigen::Vector4d(c * q[0] + s * q[1], c * q[1] - s * q[0], c * q[2] - s * q[3], c * q[3] + s * q[2]);

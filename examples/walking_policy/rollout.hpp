@@ -38,11 +38,16 @@ void command_speed(Controller& c, double speed) {
 }
 
 template <class Controller>
+void command_turn(Controller& c, double turn) {
+  auto wanted = c.template get<"gait.helm">().p;
+  wanted.turn = turn;
+  c.template set<"gait.helm">(wanted);
+}
+
+template <class Controller>
 void command_walk(Controller& c, const command& wanted) {
   command_speed(c, wanted.speed);
-  auto helm = c.template get<"gait.helm">().p;
-  helm.turn = wanted.turn;
-  c.template set<"gait.helm">(helm);
+  command_turn(c, wanted.turn);
 }
 
 // A whole run (trot::walked).

@@ -2,7 +2,8 @@
 // The figures of a walk along its own way, straight on or in a circle.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include <cca/cca.hpp>
 
 #include "../trot/report/recording.hpp"
 #include "../trot/report/statistics.hpp"
@@ -41,7 +42,7 @@ inline figures along_its_way(const trot::recording& run) {
     if (now.time <= trot::settled) continue;
     settled_way += ahead;
     settled_time += now.time - before.time;
-    f.turn += std::remainder(yaw - before.attitude.yaw, 2 * std::numbers::pi);
+    f.turn += cca::wrap_signed(yaw - before.attitude.yaw);
   }
   if (settled_time > 0) f.speed = settled_way / settled_time, f.turn /= settled_time;
   f.seconds = run.moments.back().time;
