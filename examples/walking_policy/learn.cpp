@@ -76,7 +76,7 @@ struct options {
     cca::offer_descriptions<cca::controller<school<cca::sim::compiled_oncilla_world>>>(line);
   }
   void shorten() {
-    rounds = 2, runs = 2, passes = 2, generations = 2, directions = 2, reviews = 2, seconds = 3;
+    rounds = 2, runs = 2, passes = 2, generations = 2, directions = 2, reviews = 2, both = 2, seconds = 3;
   }
 };
 
