@@ -53,13 +53,18 @@ public:
 
   void tell(const std::vector<double>& values) {
     const std::size_t n = directions_.size();
-    const auto grown = [&](std::size_t i) { return values[2 * i] - values[2 * i + 1]; };
-    double squares = 0;
-    for (std::size_t i = 0; i < n; ++i) squares += grown(i) * grown(i);
-    const double spread = std::sqrt(std::max(1e-12, squares / static_cast<double>(n)));
+    std::vector<double> grown, sizes;
+    for (std::size_t i = 0; i < n; ++i) {
+      grown.push_back(values[2 * i] - values[2 * i + 1]);
+      sizes.push_back(std::abs(grown[i]));
+    }
+    // The median, and at most `most` times it: a few falls neither lead alone nor silence the others.
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    const double spread = std::max(1e-9, *middle);
     step_ *= s_.kept;
-    for (std::size_t i = 0; i < n; ++i)  // a single fall must not lead alone
-      step_ += s_.length / static_cast<double>(n) * std::clamp(grown(i) / spread, -most, +most) *
+    for (std::size_t i = 0; i < n; ++i)
+      step_ += s_.length / static_cast<double>(n) * std::clamp(grown[i] / spread, -most, +most) *
                directions_[i];
     mean_ += step_;
   }
@@ -67,7 +72,7 @@ public:
   const Eigen::VectorXd& mean() const { return mean_; }
 
 private:
-  static constexpr double most = 2;
+  static constexpr double most = 3;
 
   // Box and Muller; std::normal_distribution differs from library to library.
   double normal() {
