@@ -43,7 +43,7 @@ template <class World>
 struct by_trot : walking::school<walking::uncertain_oncilla<World>> {};
 
 constexpr std::array all_speeds{0.2, 0.3, 0.4, 0.5, 0.6};  // m/s
-constexpr std::array all_turns{0.0, 0.4, -0.4};            // rad/s
+constexpr std::array all_turns{0.0, 0.3, -0.3};            // rad/s
 enum class gait : std::uint8_t { policy, trot };
 constexpr std::array<std::string_view, 2> gait_names{"policy", "trot"};
 
@@ -64,7 +64,7 @@ struct options {
     line.whole_number("--count N", count, 1, "how many, for each command (20)");
     line.number("--seconds S", seconds, 3, 3600, "of each, simulated (20)");
     line.number("--speed V", speed, 0.1, 1, "m/s (0.2, 0.3, 0.4, 0.5 and 0.6)");
-    line.number("--turn W", turn, -1, 1, "rad/s to the left (0, 0.4 and -0.4; with --speed 0)");
+    line.number("--turn W", turn, -1, 1, "rad/s to the left (0, 0.3 and -0.3; with --speed 0)");
     line.flag("--uncertain", uncertain, "robots and grounds as uncertain as in the training");
     line.one_of("--gait G", driver, gait_names, "policy, or the trot that taught it (policy)");
     trot::offer_terrain(line, ground);
