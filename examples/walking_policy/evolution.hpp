@@ -64,8 +64,8 @@ public:
     const double spread = std::max(1e-9, *middle);
     step_ *= s_.kept;
     for (std::size_t i = 0; i < n; ++i)
-      step_ += s_.length / static_cast<double>(n) * std::clamp(grown[i] / spread, -most, +most) *
-               directions_[i];
+      step_ +=
+          s_.length / static_cast<double>(n) * std::clamp(grown[i] / spread, -most, +most) * directions_[i];
     mean_ += step_;
   }
 

@@ -26,7 +26,8 @@ struct helm {
     if (time >= p.start) heading_ = cca::wrap_signed(heading_ + now.dt() * p.turn);
     const double c = cca::math::cos(0.5 * heading_), s = cca::math::sin(0.5 * heading_);
     const auto& q = trunk.vector();  // x, y, z, w; a turn about the vertical by -heading, then q
-    return Eigen::Vector4d(c * q[0] + s * q[1], c * q[1] - s * q[0], c * q[2] - s * q[3], c * q[3] + s * q[2]);
+    return Eigen::Vector4d(c * q[0] + s * q[1], c * q[1] - s * q[0], c * q[2] - s * q[3],
+                           c * q[3] + s * q[2]);
   }
 
 private:

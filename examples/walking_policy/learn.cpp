@@ -69,7 +69,8 @@ struct options {
     line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.025)");
     line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.01)");
     line.number("--seconds S", seconds, 3, 100, "of a run, simulated (6)");
-    line.whole_number("--both N", both, 0, 1000, "each how many-th direction is in the other engine; 0: none (0)");
+    line.whole_number("--both N", both, 0, 1000,
+                      "each how many-th direction is in the other engine; 0: none (0)");
     line.flag("--quick", quick, "a few short runs, to try the program");
     line.flag("--quiet", quiet, "no progress bar");
     trot::offer_engine(line, engine);
@@ -89,10 +90,7 @@ template <class World, class Other>
 class training {
 public:
   training(const options& o, trot::all_cores& cores)
-      : o_(o),
-        cores_(cores),
-        bar_("learn", shows()),
-        start_(std::chrono::steady_clock::now()) {
+      : o_(o), cores_(cores), bar_("learn", shows()), start_(std::chrono::steady_clock::now()) {
     for (int i = 0; i < o.reviews; ++i) review_.push_back(next());
   }
 
@@ -110,10 +108,9 @@ public:
     bar_.done();
     save(o_.out, weights_);
     if (!cores_.is_first()) return interrupted_.exit_code();
-    std::printf(
-        "seed %llu, %d generations; %zu runs of up to %.0f s; %.0f s, %u cores here, ranks %d\n",
-        static_cast<unsigned long long>(o_.seed), generations, runs_, o_.seconds, seconds(),
-        std::thread::hardware_concurrency(), cores_.count());
+    std::printf("seed %llu, %d generations; %zu runs of up to %.0f s; %.0f s, %u cores here, ranks %d\n",
+                static_cast<unsigned long long>(o_.seed), generations, runs_, o_.seconds, seconds(),
+                std::thread::hardware_concurrency(), cores_.count());
     std::printf("written to %s\n", o_.out.c_str());
     if (!ends_early_) return 0;
     std::cerr << "walking_policy_learn: interrupted; these are the weights of --generations " << generations

@@ -101,9 +101,10 @@ private:
   // In a circle the table's speed, which is along x, says little.
   void tell_way() const {
     const walking::figures f = along_its_way(recorded);
-    std::printf("  along its way         %.3f m/s of %.2f, %+.3f rad/s of %+.2f, cost of transport %.2f: %s\n",
-                f.speed, wanted.speed, f.turn, wanted.turn, f.transport,
-                walks(f, wanted) ? "it walks as commanded" : "not as commanded");
+    std::printf(
+        "  along its way         %.3f m/s of %.2f, %+.3f rad/s of %+.2f, cost of transport %.2f: %s\n",
+        f.speed, wanted.speed, f.turn, wanted.turn, f.transport,
+        walks(f, wanted) ? "it walks as commanded" : "not as commanded");
   }
 
   std::string weights = "walk.policy";

@@ -85,7 +85,8 @@ struct options {
     };
     std::vector<walking::command> once;
     for (const auto& c : all)
-      if (std::none_of(once.begin(), once.end(), [&](const auto& o) { return same(o, c); })) once.push_back(c);
+      if (std::none_of(once.begin(), once.end(), [&](const auto& o) { return same(o, c); }))
+        once.push_back(c);
     return once;
   }
 };
@@ -125,8 +126,8 @@ int judge(const options& o) {
         auto c = start;
         walking::trial t{.number = o.first + i % o.count, .wanted = commands[i / o.count]};
         if (o.uncertain) t.uncertain = walking::drawn_trial(t.number).uncertain;
-        const auto figures = walking::along_its_way(
-            walking::attempt(c, t, o.seconds, [&] { return !interrupted; }, o.ground));
+        const auto figures =
+            walking::along_its_way(walking::attempt(c, t, o.seconds, [&] { return !interrupted; }, o.ground));
         if (i == 0) limited = cca::summaries_of(c);
         return run_of_seed{t.number, figures};
       });
@@ -144,11 +145,12 @@ int judge(const options& o) {
       const bool good = walking::walks(f, wanted);
       fell_here += f.fell, walked_here += good;
       if (!good || commands.size() == 1)
-        std::printf("  %.2f m/s %+.2f rad/s, seed %llu: %.3f m/s %+.3f rad/s, drift %+.2f m in %.2f m, roll %.1f "
-                    "pitch %.1f deg, slip %.3f m/s, transport %.2f%s%s\n",
-                    wanted.speed, wanted.turn, static_cast<unsigned long long>(seed), f.speed, f.turn, f.drift, f.way,
-                    f.max_roll * 57.2958, f.max_pitch * 57.2958, f.slip, f.transport, f.fell ? ", FELL" : "",
-                    good ? "" : ", beyond the bounds");
+        std::printf(
+            "  %.2f m/s %+.2f rad/s, seed %llu: %.3f m/s %+.3f rad/s, drift %+.2f m in %.2f m, roll %.1f "
+            "pitch %.1f deg, slip %.3f m/s, transport %.2f%s%s\n",
+            wanted.speed, wanted.turn, static_cast<unsigned long long>(seed), f.speed, f.turn, f.drift, f.way,
+            f.max_roll * 57.2958, f.max_pitch * 57.2958, f.slip, f.transport, f.fell ? ", FELL" : "",
+            good ? "" : ", beyond the bounds");
       each.push_back({{"seed", seed},
                       {"fell", f.fell},
                       {"seconds", f.seconds},
@@ -164,10 +166,11 @@ int judge(const options& o) {
                 turn = over(runs, [](const auto& f) { return f.turn; }),
                 slip = over(runs, [](const auto& f) { return f.slip; }),
                 transport = over(runs, [](const auto& f) { return f.transport; });
-    std::printf("%zu of %zu walk at %.2f m/s, %+.2f rad/s: %zu fell; %.3f m/s (%.3f to %.3f); %+.3f rad/s (%+.3f "
-                "to %+.3f); slip %.3f m/s (%.3f at most); cost of transport %.2f\n",
-                walked_here, runs.size(), wanted.speed, wanted.turn, fell_here, speed.mean, speed.least, speed.most,
-                turn.mean, turn.least, turn.most, slip.mean, slip.most, transport.mean);
+    std::printf(
+        "%zu of %zu walk at %.2f m/s, %+.2f rad/s: %zu fell; %.3f m/s (%.3f to %.3f); %+.3f rad/s (%+.3f "
+        "to %+.3f); slip %.3f m/s (%.3f at most); cost of transport %.2f\n",
+        walked_here, runs.size(), wanted.speed, wanted.turn, fell_here, speed.mean, speed.least, speed.most,
+        turn.mean, turn.least, turn.most, slip.mean, slip.most, transport.mean);
     falls += fell_here, walked += walked_here;
     list.push_back({{"commanded_speed_m_s", wanted.speed},
                     {"commanded_turn_rad_s", wanted.turn},
@@ -184,8 +187,9 @@ int judge(const options& o) {
                     {"runs", each}});
   }
   std::printf("%s, %s: %zu of %zu runs walk as commanded, %.0f s each, %s%s: %zu fell\n",
-              std::string(gait_names[static_cast<std::size_t>(Driver)]).c_str(), trot::name_of(o.engine).c_str(),
-              walked, all.size(), o.seconds, o.ground.name().c_str(), o.uncertain ? ", uncertain" : "", falls);
+              std::string(gait_names[static_cast<std::size_t>(Driver)]).c_str(),
+              trot::name_of(o.engine).c_str(), walked, all.size(), o.seconds, o.ground.name().c_str(),
+              o.uncertain ? ", uncertain" : "", falls);
   for (const std::string& line : limited) std::printf("first run: %s\n", line.c_str());
   if (!o.summary.empty())
     trot::write(o.summary, [&](std::ostream& file) {
@@ -204,7 +208,8 @@ int judge(const options& o) {
 
 template <class World>
 int judge_in(const options& o) {
-  return o.driver == gait::policy ? judge<by_policy<World>, gait::policy>(o) : judge<by_trot<World>, gait::trot>(o);
+  return o.driver == gait::policy ? judge<by_policy<World>, gait::policy>(o)
+                                  : judge<by_trot<World>, gait::trot>(o);
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ inline double worth(const figures& f, const command& wanted, double seconds) {
 }
 
 struct bounds {
-  double off_speed = 0.05;       // m/s, or this share of the commanded speed, whichever is more
+  double off_speed = 0.05;  // m/s, or this share of the commanded speed, whichever is more
   double off_speed_share = 0.1;
-  double off_turn = 0.05;        // rad/s
-  double most_slip = 0.15;       // m/s, of all feet, weighted by load: that of the trot (report/bounds.hpp)
-  double most_drift = 0.15;      // of the way, straight on
+  double off_turn = 0.05;    // rad/s
+  double most_slip = 0.15;   // m/s, of all feet, weighted by load: that of the trot (report/bounds.hpp)
+  double most_drift = 0.15;  // of the way, straight on
 };
 
 // Not if a figure is NaN.
