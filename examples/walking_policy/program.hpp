@@ -103,7 +103,7 @@ private:
     const walking::figures f = along_its_way(recorded);
     std::printf(
         "  along its way         %.3f m/s of %.2f, %+.3f rad/s of %+.2f, cost of transport %.2f: %s\n",
-        f.speed, wanted.speed, f.turn, wanted.turn, f.transport,
+        f.cruise, wanted.speed, f.turn, wanted.turn, f.transport,
         walks(f, wanted) ? "it walks as commanded" : "not as commanded");
   }
 

@@ -148,21 +148,21 @@ int judge(const options& o) {
         std::printf(
             "  %.2f m/s %+.2f rad/s, seed %llu: %.3f m/s %+.3f rad/s, drift %+.2f m in %.2f m, roll %.1f "
             "pitch %.1f deg, slip %.3f m/s, transport %.2f%s%s\n",
-            wanted.speed, wanted.turn, static_cast<unsigned long long>(seed), f.speed, f.turn, f.drift, f.way,
+            wanted.speed, wanted.turn, static_cast<unsigned long long>(seed), f.cruise, f.turn, f.drift, f.way,
             f.max_roll * 57.2958, f.max_pitch * 57.2958, f.slip, f.transport, f.fell ? ", FELL" : "",
             good ? "" : ", beyond the bounds");
       each.push_back({{"seed", seed},
                       {"fell", f.fell},
                       {"seconds", f.seconds},
                       {"way_m", f.way},
-                      {"speed_m_s", f.speed},
+                      {"speed_m_s", f.cruise},
                       {"turn_rad_s", f.turn},
                       {"drift_m", f.drift},
                       {"foot_slip_m_s", f.slip},
                       {"cost_of_transport", f.transport},
                       {"within_bounds", good}});
     }
-    const range speed = over(runs, [](const auto& f) { return f.speed; }),
+    const range speed = over(runs, [](const auto& f) { return f.cruise; }),
                 turn = over(runs, [](const auto& f) { return f.turn; }),
                 slip = over(runs, [](const auto& f) { return f.slip; }),
                 transport = over(runs, [](const auto& f) { return f.transport; });

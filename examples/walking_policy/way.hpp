@@ -18,7 +18,7 @@ struct command {
 struct figures {
   double seconds = 0;                  // simulated
   double way = 0;                      // m, of the trunk towards its nose; backward counts as negative
-  double speed = 0, turn = 0;          // m/s and rad/s, means from 2 s on
+  double cruise = 0, turn = 0;         // m/s towards its nose and rad/s, means from 2 s on
   double drift = 0;                    // m, to the left of the line of the start
   double slip = 0;                     // m/s, from 2 s on (trot::statistics::foot_slip)
   double transport = 0;                // positive mechanical work / (weight * way), without unit
@@ -44,7 +44,7 @@ inline figures along_its_way(const trot::recording& run) {
     settled_time += now.time - before.time;
     f.turn += cca::wrap_signed(yaw - before.attitude.yaw);
   }
-  if (settled_time > 0) f.speed = settled_way / settled_time, f.turn /= settled_time;
+  if (settled_time > 0) f.cruise = settled_way / settled_time, f.turn /= settled_time;
   f.seconds = run.moments.back().time;
   f.drift = run.moments.back().position[1] - run.start[1];
   trot::statistics s;

@@ -18,7 +18,7 @@ inline double worth(const figures& f, const command& wanted, double seconds) {
     return by + 2 * std::max(0.0, by - 0.03);
   };
   const double transport = f.way > 0 ? std::min(f.transport, 4.0) : 4.0;
-  return -3 * off(f.speed, wanted.speed) - 3 * off(f.turn, wanted.turn) - 2 * f.slip - 0.3 * transport -
+  return -3 * off(f.cruise, wanted.speed) - 3 * off(f.turn, wanted.turn) - 2 * f.slip - 0.3 * transport -
          0.3 * (f.max_roll + f.max_pitch);
 }
 
@@ -33,7 +33,7 @@ struct bounds {
 // Not if a figure is NaN.
 inline bool walks(const figures& f, const command& wanted, const bounds& b = {}) {
   return !f.fell &&
-         std::abs(f.speed - wanted.speed) <= std::max(b.off_speed, b.off_speed_share * wanted.speed) &&
+         std::abs(f.cruise - wanted.speed) <= std::max(b.off_speed, b.off_speed_share * wanted.speed) &&
          std::abs(f.turn - wanted.turn) <= b.off_turn && f.slip <= b.most_slip &&
          (wanted.turn != 0 || std::abs(f.drift) <= b.most_drift * f.way);
 }

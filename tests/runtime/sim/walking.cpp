@@ -171,7 +171,7 @@ TEST_SUITE("walking policy") {
       run.moments.push_back(m);
     }
     walking::figures f = walking::along_its_way(run);
-    CHECK(f.speed == doctest::Approx(0.4).epsilon(1e-6));
+    CHECK(f.cruise == doctest::Approx(0.4).epsilon(1e-6));
     CHECK(f.turn == doctest::Approx(-0.5).epsilon(1e-6));
     CHECK(f.way == doctest::Approx(4).epsilon(1e-6));
     CHECK(f.transport == doctest::Approx(30 / (2 * 9.81 * 4)));
@@ -193,7 +193,7 @@ TEST_SUITE("walking policy") {
     CHECK(!with([](auto& g) { g.drift = 0.7; }));
     CHECK(!with([](auto& g) { g.slip = 0.16; }));
     CHECK(!with([](auto& g) { g.fell = true; }));
-    CHECK(!with([](auto& g) { g.speed = std::numeric_limits<double>::quiet_NaN(); }));
+    CHECK(!with([](auto& g) { g.cruise = std::numeric_limits<double>::quiet_NaN(); }));
     CHECK(!with([](auto& g) { g.slip = std::numeric_limits<double>::quiet_NaN(); }));
     CHECK(walking::worth(f, {0.4, -0.5}, 10) > walking::worth(f, {0.5, -0.5}, 10));
     CHECK(walking::worth(f, {0.4, -0.5}, 10) > walking::worth(f, {0.4, -0.4}, 10));
