@@ -148,8 +148,8 @@ int judge(const options& o) {
         std::printf(
             "  %.2f m/s %+.2f rad/s, seed %llu: %.3f m/s %+.3f rad/s, drift %+.2f m in %.2f m, roll %.1f "
             "pitch %.1f deg, slip %.3f m/s, transport %.2f%s%s\n",
-            wanted.speed, wanted.turn, static_cast<unsigned long long>(seed), f.cruise, f.turn, f.drift, f.way,
-            f.max_roll * 57.2958, f.max_pitch * 57.2958, f.slip, f.transport, f.fell ? ", FELL" : "",
+            wanted.speed, wanted.turn, static_cast<unsigned long long>(seed), f.cruise, f.turn, f.drift,
+            f.way, f.max_roll * 57.2958, f.max_pitch * 57.2958, f.slip, f.transport, f.fell ? ", FELL" : "",
             good ? "" : ", beyond the bounds");
       each.push_back({{"seed", seed},
                       {"fell", f.fell},
