@@ -6,6 +6,7 @@
 #include "../trot/throttle.hpp"
 #include "attitude.hpp"
 #include "clock.hpp"
+#include "helm.hpp"
 #include "policy.hpp"
 
 namespace walking {
@@ -16,6 +17,7 @@ template <class Policy>
 struct gait_of : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
                             cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
                             cca::node<"clock", clock, cca::timed<period>>,
+                            cca::node<"helm", helm, cca::timed<1>>,
                             cca::node<"attitude", attitude, cca::timed<period>>,
                             cca::node<"policy", Policy, cca::timed<period>>,
                             cca::node<"smooth", smooth, cca::timed<1>>,
@@ -23,17 +25,19 @@ struct gait_of : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<per
                             cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
                             cca::wire<"cpg.phase", "clock.phase", cca::latest>,
                             cca::wire<"cpg.amplitude", "clock.amplitude", cca::latest>,
+                            cca::wire<"helm.relative", "attitude.orientation", cca::latest>,
                             cca::wire<"clock.clock", "policy.clock">,
                             cca::wire<"attitude.down", "policy.down">,
                             cca::wire<"attitude.course", "policy.course">,
                             cca::wire<"policy.output", "smooth.input", cca::latest, before_the_first>,
 
-                            cca::expose<"attitude.orientation", "orientation">,
+                            cca::expose<"helm.orientation", "orientation">,
                             cca::expose<"policy.rates", "rates">,
                             cca::expose<"policy.angles", "angles">,
                             cca::expose<"smooth.output", "command">,
                             cca::expose<"cpg.phase", "phase">,
                             cca::expose<"cpg.amplitude", "amplitude">,
+                            cca::expose<"helm.relative", "relative">,
                             cca::expose<"clock.clock", "clock">,
                             cca::expose<"attitude.down", "down">,
                             cca::expose<"attitude.course", "course">> {};

@@ -8,9 +8,10 @@
 //    (Ross, Gordon, Bagnell, A reduction of imitation learning and structured prediction to no-regret online
 //    learning, AISTATS 2011: DAgger).
 // 2. It changes the weights of the last layer by an evolution strategy (evolution.hpp), so that the robot
-//    keeps the commanded speed with less slip and work. The other layers stay: what they compute from the
-//    observations is used, and so the search has 264 numbers instead of 1,992.
+//    keeps the commanded speed and turn with less slip and work. The other layers stay: what they compute
+//    from the observations is used, and so the search has 264 numbers instead of 1,992.
 //
+// Each run has a command, a disturbance, a robot and a ground of its own (trial.hpp).
 // The same seed gives the same bits on any number of cores and ranks.
 #include <algorithm>
 #include <chrono>
@@ -33,49 +34,50 @@
 #include "../trot/report/statistics.hpp"
 #include "evolution.hpp"
 #include "imitation.hpp"
-#include "rollout.hpp"
+#include "trial.hpp"
 #include "worth.hpp"
 
 namespace {
 
-// A pupil in each engine, and its school.
-struct school : walking::school<cca::sim::oncilla> {};
-struct compiled_school : walking::school<cca::sim::compiled_oncilla> {};
-struct compiled_walk : walking::architecture<cca::sim::compiled_oncilla> {};
+// A pupil in a world, and its school.
+template <class World>
+struct school : walking::school<walking::uncertain_oncilla<World>> {};
+template <class World>
+struct walk : walking::architecture<walking::uncertain_oncilla<World>> {};
 
 using parameters = walking::policy::network::parameters;
-constexpr int judged = 1000;                     // walking_policy_seeds begins there
-constexpr int review_every = 5;                  // generations
-constexpr double slowest = 0.35, fastest = 0.7;  // m/s, commanded in training
+constexpr int review_every = 10;  // generations
 
 struct options {
-  std::string out = "walk.policy", imitated;
+  std::string out = "walk.policy", imitated, from;
   std::uint64_t seed = 1;
-  int rounds = 3, runs = 12, passes = 30, generations = 20, directions = 12, reviews = 8;
-  double seconds = 8, noise = 0.015, step = 0.003;
+  int rounds = 4, runs = 32, passes = 20, generations = 400, directions = 32, reviews = 48, both = 0;
+  double seconds = 6, noise = 0.025, step = 0.01;
   bool quick = false, quiet = false;
-  trot::engine engine = trot::engine::ode;
+  trot::engine engine = trot::engine::compiled;
 
   void offer(cca::command_line& line) {
     line.text("--out FILE", out, "the weights (walk.policy)");
     line.text("--imitated FILE", imitated, "the weights before the evolution");
-    line.whole_number("--seed N", seed, 0, "of the training (1)");
-    line.number("--rounds N", rounds, 1, 100, "of imitation; in the first the trot drives (3)");
-    line.number("--runs N", runs, 1, 1000, "of a round (12)");
-    line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (30)");
-    line.number("--generations N", generations, 0, 1e4, "of the evolution (20)");
-    line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (12)");
-    line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.015)");
-    line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.003)");
-    line.number("--seconds S", seconds, 3, 100, "of a run, simulated (8)");
+    line.text("--from FILE", from, "weights with which the evolution begins; without imitation");
+    line.whole_number("--seed N", seed, 1, "of the training (1)");
+    line.number("--rounds N", rounds, 1, 100, "of imitation; in the first the trot drives (4)");
+    line.number("--runs N", runs, 1, 1000, "of a round (32)");
+    line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (20)");
+    line.number("--generations N", generations, 0, 1e4, "of the evolution (400)");
+    line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (32)");
+    line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.025)");
+    line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.01)");
+    line.number("--seconds S", seconds, 3, 100, "of a run, simulated (6)");
+    line.whole_number("--both N", both, 0, 1000,
+                      "each how many-th direction is in the other engine; 0: none (0)");
     line.flag("--quick", quick, "a few short runs, to try the program");
     line.flag("--quiet", quiet, "no progress bar");
     trot::offer_engine(line, engine);
-    cca::offer_descriptions<cca::controller<school>>(line);
+    cca::offer_descriptions<cca::controller<school<cca::sim::compiled_oncilla_world>>>(line);
   }
-  int disturbances() const { return reviews + rounds * runs + generations; }
   void shorten() {
-    rounds = 2, runs = 2, passes = 2, generations = 2, directions = 2, reviews = 2, seconds = 3;
+    rounds = 2, runs = 2, passes = 2, generations = 2, directions = 2, reviews = 2, both = 2, seconds = 3;
   }
 };
 
@@ -84,38 +86,31 @@ struct attended {
   BOOST_HANA_DEFINE_STRUCT(attended, (std::vector<walking::lesson>, lessons), (bool, fell));
 };
 
-// The circumstances of a run. Each disturbance of the training is counted, so that a judge can take others.
-struct trial {
-  std::uint64_t seed;
-  double speed;
-};
-
-template <class Walk, class School>
+template <class World, class Other>
 class training {
 public:
   training(const options& o, trot::all_cores& cores)
-      : o_(o),
-        cores_(cores),
-        speeds_(o.seed),
-        bar_("learn", shows()),
-        start_(std::chrono::steady_clock::now()) {
-    for (int i = 0; i < o.reviews; ++i) review_.push_back(draw());
+      : o_(o), cores_(cores), bar_("learn", shows()), start_(std::chrono::steady_clock::now()) {
+    for (int i = 0; i < o.reviews; ++i) review_.push_back(next());
   }
 
   int run() {
-    imitate();
-    if (ends_early_) return ended();
-    if (!o_.imitated.empty()) save(o_.imitated);
+    if (o_.from.empty()) {
+      imitate();
+      if (ends_early_) return ended();
+      if (!o_.imitated.empty()) save(o_.imitated, weights_);
+    } else {
+      walking::policy learned;
+      learned.read(o_.from);
+      weights_ = learned.weights;
+    }
     const int generations = evolve();
     bar_.done();
-    save(o_.out);
+    save(o_.out, weights_);
     if (!cores_.is_first()) return interrupted_.exit_code();
-    std::printf(
-        "seed %llu, %d generations; %zu runs of up to %.0f s, disturbances 1 to %llu; %.0f s, %u cores here, "
-        "ranks %d\n",
-        static_cast<unsigned long long>(o_.seed), generations, runs_, o_.seconds,
-        static_cast<unsigned long long>(last_disturbance_), seconds(), std::thread::hardware_concurrency(),
-        cores_.count());
+    std::printf("seed %llu, %d generations; %zu runs of up to %.0f s; %.0f s, %u cores here, ranks %d\n",
+                static_cast<unsigned long long>(o_.seed), generations, runs_, o_.seconds, seconds(),
+                std::thread::hardware_concurrency(), cores_.count());
     std::printf("written to %s\n", o_.out.c_str());
     if (!ends_early_) return 0;
     std::cerr << "walking_policy_learn: interrupted; these are the weights of --generations " << generations
@@ -124,7 +119,7 @@ public:
   }
 
 private:
-  trial draw() { return {++last_disturbance_, speeds_.between(slowest, fastest)}; }
+  walking::trial next() { return walking::drawn_trial(walking::first_of_training * o_.seed + trials_++); }
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -134,10 +129,10 @@ private:
     return interrupted_.exit_code();
   }
   bool shows() const { return !o_.quiet && cores_.is_first(); }
-  void save(const std::string& file) const {
+  void save(const std::string& file, const parameters& weights) const {
     if (!cores_.is_first()) return;
     walking::policy learned;
-    learned.weights = weights_;
+    learned.weights = weights;
     learned.save(file);
   }
 
@@ -157,21 +152,18 @@ private:
   // Runs of the teacher or of the policy, each with a disturbance of its own; the lessons in the order of the
   // runs.
   std::vector<walking::lesson> attend(bool by_teacher) {
-    cca::controller<School> start;
+    using school_here = cca::controller<school<World>>;
+    school_here start;
     start.template get<"gait.policy">().weights = weights_;
     if (by_teacher) start.template get<"gait.policy">().weights.weights[0] = 1;  // it does not drive
     start.template get<"driver">().by_teacher = by_teacher;
     start.load();
-    std::vector<trial> trials;
-    for (int i = 0; i < o_.runs; ++i) trials.push_back(draw());
+    std::vector<walking::trial> trials;
+    for (int i = 0; i < o_.runs; ++i) trials.push_back(next());
     const std::vector<attended> runs = rollouts(trials.size(), "imitation", [&](std::size_t i) {
-      cca::controller<School> c = start;
-      walking::command_speed(c, trials[i].speed);
-      c.template get<"notebook">().lessons.reserve(trot::beats_in<cca::controller<School>>(o_.seconds) /
-                                                   walking::period);
-      const auto run = walking::roll_out(c, cca::sim::terrain::flat(),
-                                         cca::sim::disturbance::from_seed(trials[i].seed, o_.seconds),
-                                         o_.seconds, [&] { return !interrupted_; });
+      school_here c = start;
+      c.template get<"notebook">().lessons.reserve(trot::beats_in<school_here>(o_.seconds) / walking::period);
+      const auto run = walking::attempt(c, trials[i], o_.seconds, [&] { return !interrupted_; });
       attended kept;
       kept.lessons = c.template get<"notebook">().lessons;
       kept.fell = run.fell;
@@ -188,19 +180,22 @@ private:
 
   // Returns after how many generations it was reviewed last. Only means that a review has found better count.
   int evolve() {
-    walking::augmented_random_search search(
+    walking::evolution_strategy search(
         Eigen::Map<Eigen::VectorXd>(weights_.weights.data() + walking::last_layer.at,
                                     walking::last_layer.size()),
-        {o_.directions, o_.directions, o_.noise, o_.step}, o_.seed);
+        {.directions = o_.directions, .noise = o_.noise, .length = o_.step}, o_.seed);
     double best = review(search.mean());
     parameters kept = weights_;
     int reviewed = 0;
     say("imitated: worth %.4f", best);
     for (int generation = 1; generation <= o_.generations && !ends_early_; ++generation) {
       const auto points = search.ask();
-      const trial same = draw();  // for all points of the generation
-      const std::vector<double> values =
-          rollouts(points.size(), "evolution", [&](std::size_t i) { return worth(points[i], same); });
+      std::vector<walking::trial> trials;  // one for each direction
+      for (int i = 0; i < o_.directions; ++i) trials.push_back(next());
+      const std::vector<double> values = rollouts(points.size(), "evolution", [&](std::size_t i) {
+        const std::size_t direction = i / 2;
+        return worth_in(points[i], trials[direction], direction);
+      });
       if (ends_early_) break;
       search.tell(values);
       if (generation % review_every != 0 && generation != o_.generations) continue;
@@ -208,7 +203,9 @@ private:
       if (ends_early_) break;
       reviewed = generation;
       say("generation %d: worth %.4f", generation, now);
-      if (now > best) best = now, kept = with(search.mean());
+      if (now <= best) continue;
+      best = now, kept = with(search.mean());
+      save(o_.out, kept);
     }
     weights_ = kept;
     return reviewed;
@@ -220,22 +217,24 @@ private:
     return all;
   }
 
-  double worth(const Eigen::VectorXd& last, const trial& t) {
-    cca::controller<Walk> c;
+  double worth_in(const Eigen::VectorXd& last, const walking::trial& t, std::size_t number) {
+    const bool other = o_.both > 0 && number % static_cast<std::size_t>(o_.both) == 0;
+    return other ? worth<Other>(last, t) : worth<World>(last, t);
+  }
+  template <class In>
+  double worth(const Eigen::VectorXd& last, const walking::trial& t) {
+    cca::controller<walk<In>> c;
     c.template get<"gait.policy">().weights = with(last);
     c.load();
-    walking::command_speed(c, t.speed);
     return walking::worth(
-        trot::evaluate(walking::roll_out(c, cca::sim::terrain::flat(),
-                                         cca::sim::disturbance::from_seed(t.seed, o_.seconds), o_.seconds,
-                                         [&] { return !interrupted_; })),
-        t.speed, o_.seconds);
+        walking::along_its_way(walking::attempt(c, t, o_.seconds, [&] { return !interrupted_; })), t.wanted,
+        o_.seconds);
   }
 
   // The same trials each time, so that their means can be compared.
   double review(const Eigen::VectorXd& last) {
     const std::vector<double> values =
-        rollouts(review_.size(), "review", [&](std::size_t i) { return worth(last, review_[i]); });
+        rollouts(review_.size(), "review", [&](std::size_t i) { return worth_in(last, review_[i], i); });
     double sum = 0;
     for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());
@@ -265,9 +264,8 @@ private:
   const options& o_;
   trot::all_cores& cores_;
   const cca::interruption interrupted_{};  // ctrl-c: the evolution keeps what it has; an imitation is lost
-  cca::sim::uniform_numbers speeds_;
-  std::uint64_t last_disturbance_ = 0;
-  std::vector<trial> review_;
+  std::uint64_t trials_ = 0;
+  std::vector<walking::trial> review_;
   parameters weights_;
   std::size_t runs_ = 0, falls_ = 0;
   bool ends_early_ = false;
@@ -284,10 +282,9 @@ int main(int count, char** words) {
   o.offer(line);
   return cca::run_program(count, words, line, [&] {
     if (o.quick) o.shorten();
-    if (o.disturbances() >= judged)
-      throw cca::command_line_error("this takes the disturbances 1 to " + std::to_string(o.disturbances()) +
-                                    ": those from " + std::to_string(judged) + " on are for the judgement");
-    if (o.engine == trot::engine::compiled) return training<compiled_walk, compiled_school>(o, cores).run();
-    return training<walking::simulated, school>(o, cores).run();
+    using ode = cca::sim::world;
+    using compiled = cca::sim::compiled_oncilla_world;
+    return o.engine == trot::engine::compiled ? training<compiled, ode>(o, cores).run()
+                                              : training<ode, compiled>(o, cores).run();
   });
 }

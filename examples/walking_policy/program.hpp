@@ -19,6 +19,7 @@
 #include "../trot/report/svg.hpp"
 #include "../trot/report/watched.hpp"
 #include "rollout.hpp"
+#include "worth.hpp"
 
 namespace walking {
 
@@ -39,6 +40,7 @@ struct program : cca::robot_program<Watched> {
   void options(cca::command_line& line) override {
     line.text("--weights FILE", weights, "of the policy (walk.policy)");
     o.offer(line, settings);
+    line.number("--turn W", turn, -1, 1, "rad/s to the left, from where it walks (the parameters' turn)");
     trot::offer_engine(line);
   }
 
@@ -46,6 +48,8 @@ struct program : cca::robot_program<Watched> {
 
   void loaded(controller_type& c) override {
     if (o.speed) command_speed(c, *o.speed);
+    if (turn) command_turn(c, *turn);
+    wanted = {c.template get<"gait.throttle">().p.speed, c.template get<"gait.helm">().p.turn};
     const double seconds = *settings.seconds;
     if (o.seed) settings.notes["seed"] = std::to_string(*o.seed);
     settings.notes["ground"] = o.ground.name();
@@ -74,7 +78,10 @@ struct program : cca::robot_program<Watched> {
 
   int finish(controller_type&) override {
     const trot::statistics figures = trot::evaluate(recorded);
-    if (!settings.quiet) trot::write_table(std::cout, figures, std::nullopt);
+    if (!settings.quiet) {
+      trot::write_table(std::cout, figures, std::nullopt);
+      tell_way();
+    }
     if (o.summary)
       trot::write(*o.summary, [&](std::ostream& file) {
         trot::write_json(file, figures, std::nullopt, {o.seed, o.ground.name(), trot::name_of(Runs)});
@@ -91,8 +98,19 @@ struct program : cca::robot_program<Watched> {
   }
 
 private:
+  // In a circle the table's speed, which is along x, says little.
+  void tell_way() const {
+    const walking::figures f = along_its_way(recorded);
+    std::printf(
+        "  along its way         %.3f m/s of %.2f, %+.3f rad/s of %+.2f, cost of transport %.2f: %s\n",
+        f.cruise, wanted.speed, f.turn, wanted.turn, f.transport,
+        walks(f, wanted) ? "it walks as commanded" : "not as commanded");
+  }
+
   std::string weights = "walk.policy";
   trot::options o;
+  std::optional<double> turn;  // rad/s
+  command wanted;
   trot::progress_bar bar{"walk"};
   trot::recording recorded;
 };

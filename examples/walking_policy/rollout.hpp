@@ -12,6 +12,7 @@
 #include "../trot/report/recording.hpp"
 #include "../trot/rollout.hpp"
 #include "architecture.hpp"
+#include "way.hpp"
 
 namespace walking {
 
@@ -34,6 +35,19 @@ void command_speed(Controller& c, double speed) {
   auto wanted = c.template get<"gait.throttle">().p;
   wanted.speed = speed;
   c.template set<"gait.throttle">(wanted);
+}
+
+template <class Controller>
+void command_turn(Controller& c, double turn) {
+  auto wanted = c.template get<"gait.helm">().p;
+  wanted.turn = turn;
+  c.template set<"gait.helm">(wanted);
+}
+
+template <class Controller>
+void command_walk(Controller& c, const command& wanted) {
+  command_speed(c, wanted.speed);
+  command_turn(c, wanted.turn);
 }
 
 // A whole run (trot::walked).

@@ -1,9 +1,11 @@
-// The learned gait from many disturbances, on all cores: how often it falls, how fast and how straight it is,
-// how far its feet slip. It ends with 0 only if every run walks (worth.hpp).
+// Judges the learned gait on all cores: for each commanded speed and turn many disturbances, how often it
+// walks as commanded, how far its feet slip and how much work it does. The trot that it learned from is
+// judged in the same way (--gait trot). It ends with 0 only if every run walks (worth.hpp).
 //
-//   walking_policy_seeds --weights walk.policy --summary seeds.json
+//   walking_policy_seeds --weights walk.policy --summary seeds.json       all speeds and turns
+//   walking_policy_seeds --weights walk.policy --speed 0.4 --turn 0.3
 //
-// The training has used the disturbances from 1 up; walking_policy_learn says how many. These are others.
+// The training has used the disturbances from 1,000,000 up (trial.hpp). These are others.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -27,19 +30,30 @@
 #include "../trot/report/file.hpp"
 #include "../trot/report/finished_runs.hpp"
 #include "../trot/report/json.hpp"
-#include "../trot/report/statistics.hpp"
-#include "rollout.hpp"
+#include "teaching.hpp"
+#include "trial.hpp"
 #include "worth.hpp"
 
 namespace {
 
-struct compiled_walk : walking::architecture<cca::sim::compiled_oncilla> {};
+// Without uncertainty these are the bits of the robot that is as described.
+template <class World>
+struct by_policy : walking::architecture<walking::uncertain_oncilla<World>> {};
+template <class World>
+struct by_trot : walking::school<walking::uncertain_oncilla<World>> {};
+
+constexpr std::array all_speeds{0.2, 0.3, 0.4, 0.5, 0.6};  // m/s
+constexpr std::array all_turns{0.0, 0.3, -0.3};            // rad/s
+enum class gait : std::uint8_t { policy, trot };
+constexpr std::array<std::string_view, 2> gait_names{"policy", "trot"};
 
 struct options {
   std::string weights = "walk.policy", config, summary;
   std::uint64_t first = 1000, count = 20;
   double seconds = 20;
-  std::optional<double> speed;
+  std::optional<double> speed, turn;
+  bool uncertain = false;
+  gait driver = gait::policy;
   cca::sim::terrain ground = cca::sim::terrain::flat();
   trot::engine engine = trot::engine::ode;
 
@@ -47,115 +61,155 @@ struct options {
     line.text("--weights FILE", weights, "of the policy (walk.policy)");
     line.text("--config FILE", config, "parameters (the defaults in the code)");
     line.whole_number("--first N", first, 0, "the first seed (1000)");
-    line.whole_number("--count N", count, 1, "how many (20)");
+    line.whole_number("--count N", count, 1, "how many, for each command (20)");
     line.number("--seconds S", seconds, 3, 3600, "of each, simulated (20)");
-    line.number("--speed V", speed, 0.1, 1, "m/s (the parameters' speed)");
+    line.number("--speed V", speed, 0.1, 1, "m/s (0.2, 0.3, 0.4, 0.5 and 0.6)");
+    line.number("--turn W", turn, -1, 1, "rad/s to the left (0, 0.3 and -0.3; with --speed 0)");
+    line.flag("--uncertain", uncertain, "robots and grounds as uncertain as in the training");
+    line.one_of("--gait G", driver, gait_names, "policy, or the trot that taught it (policy)");
     trot::offer_terrain(line, ground);
     trot::offer_engine(line, engine);
-    line.text("--summary FILE", summary,
-              "falls, speed, drift and slip, of all and of each, as one JSON object");
+    line.text("--summary FILE", summary, "the figures of all commands and of each run, as one JSON object");
     cca::offer_descriptions<walking::controller>(line, [this](walking::controller& c) {
       walking::name_weights(c, weights);
       if (!config.empty()) cca::read_parameters(c, config);
     });
   }
+
+  std::vector<walking::command> commands() const {
+    std::vector<walking::command> all;
+    for (const double w : all_turns)
+      for (const double v : all_speeds) all.push_back({speed.value_or(v), turn.value_or(speed ? 0 : w)});
+    const auto same = [](const walking::command& a, const walking::command& b) {
+      return a.speed == b.speed && a.turn == b.turn;
+    };
+    std::vector<walking::command> once;
+    for (const auto& c : all)
+      if (std::none_of(once.begin(), once.end(), [&](const auto& o) { return same(o, c); }))
+        once.push_back(c);
+    return once;
+  }
 };
 
 struct run_of_seed {
   std::uint64_t seed;
-  trot::statistics figures;
+  walking::figures figures;
 };
 
+struct range {
+  double mean = 0, least = 0, most = 0;
+};
 template <class Figure>
-double mean(const std::vector<run_of_seed>& runs, Figure figure) {
-  double sum = 0;
-  for (const auto& run : runs) sum += figure(run.figures);
-  return runs.empty() ? 0 : sum / static_cast<double>(runs.size());
-}
-template <class Figure>
-double greatest(const std::vector<run_of_seed>& runs, Figure figure) {
-  double most = runs.empty() ? 0 : figure(runs[0].figures);
-  for (const auto& run : runs) most = std::max(most, figure(run.figures));
-  return most;
+range over(const std::vector<run_of_seed>& runs, Figure figure) {
+  range r{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const auto& run : runs) {
+    const double x = figure(run.figures);
+    r.mean += x / static_cast<double>(runs.size());
+    r.least = std::min(r.least, x), r.most = std::max(r.most, x);
+  }
+  return r;
 }
 
-template <class Architecture>
+template <class Architecture, gait Driver>
 int judge(const options& o) {
   std::vector<std::string> limited;     // in the first run
   const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
   cca::controller<Architecture> start;
   walking::name_weights(start, o.weights);
+  if constexpr (Driver == gait::trot) start.template get<"driver">().by_teacher = true;
   if (o.config.empty()) start.load();
   else start.load(o.config);
-  if (o.speed) walking::command_speed(start, *o.speed);
-  const double commanded = start.template get<"gait.throttle">().p.speed;
 
-  const std::vector<run_of_seed> runs =
-      trot::finished_runs("walking_policy_seeds", o.count, interrupted, [&](std::size_t i) {
+  const std::vector<walking::command> commands = o.commands();
+  const auto all =
+      trot::finished_runs("walking_policy_seeds", commands.size() * o.count, interrupted, [&](std::size_t i) {
         auto c = start;
-        const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
-        const auto figures = trot::evaluate(
-            walking::roll_out(c, o.ground, disturbance, o.seconds, [&] { return !interrupted; }));
+        walking::trial t{.number = o.first + i % o.count, .wanted = commands[i / o.count]};
+        if (o.uncertain) t.uncertain = walking::drawn_trial(t.number).uncertain;
+        const auto figures =
+            walking::along_its_way(walking::attempt(c, t, o.seconds, [&] { return !interrupted; }, o.ground));
         if (i == 0) limited = cca::summaries_of(c);
-        return run_of_seed{o.first + i, figures};
+        return run_of_seed{t.number, figures};
       });
 
   std::size_t falls = 0, walked = 0;
   trot::json list = trot::json::array();
-  for (const auto& [seed, s] : runs) {
-    const bool good = walking::walks(s, commanded);
-    falls += s.fell;
-    walked += good;
+  for (std::size_t at = 0; at < all.size(); at += o.count) {
+    const walking::command& wanted = commands[at / o.count];
+    const std::vector<run_of_seed> runs(
+        all.begin() + static_cast<std::ptrdiff_t>(at),
+        all.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(at + o.count, all.size())));
+    std::size_t fell_here = 0, walked_here = 0;
+    trot::json each = trot::json::array();
+    for (const auto& [seed, f] : runs) {
+      const bool good = walking::walks(f, wanted);
+      fell_here += f.fell, walked_here += good;
+      if (!good || commands.size() == 1)
+        std::printf(
+            "  %.2f m/s %+.2f rad/s, seed %llu: %.3f m/s %+.3f rad/s, drift %+.2f m in %.2f m, roll %.1f "
+            "pitch %.1f deg, slip %.3f m/s, transport %.2f%s%s\n",
+            wanted.speed, wanted.turn, static_cast<unsigned long long>(seed), f.cruise, f.turn, f.drift,
+            f.way, f.max_roll * 57.2958, f.max_pitch * 57.2958, f.slip, f.transport, f.fell ? ", FELL" : "",
+            good ? "" : ", beyond the bounds");
+      each.push_back({{"seed", seed},
+                      {"fell", f.fell},
+                      {"seconds", f.seconds},
+                      {"way_m", f.way},
+                      {"speed_m_s", f.cruise},
+                      {"turn_rad_s", f.turn},
+                      {"drift_m", f.drift},
+                      {"foot_slip_m_s", f.slip},
+                      {"cost_of_transport", f.transport},
+                      {"within_bounds", good}});
+    }
+    const range speed = over(runs, [](const auto& f) { return f.cruise; }),
+                turn = over(runs, [](const auto& f) { return f.turn; }),
+                slip = over(runs, [](const auto& f) { return f.slip; }),
+                transport = over(runs, [](const auto& f) { return f.transport; });
     std::printf(
-        "  seed %4llu  %6.2f m  cruise %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg  slip %.3f "
-        "m/s  transport %.2f%s%s\n",
-        static_cast<unsigned long long>(seed), s.distance, s.cruise, s.drift, s.max_roll * 57.2958,
-        s.max_pitch * 57.2958, s.foot_slip, s.cost_of_transport, s.fell ? "  FELL" : "",
-        good ? "" : "  beyond the bounds");
-    list.push_back({{"seed", seed},
-                    {"fell", s.fell},
-                    {"seconds", s.seconds},
-                    {"distance_m", s.distance},
-                    {"speed_m_s", s.speed},
-                    {"cruise_speed_m_s", s.cruise},
-                    {"drift_m", s.drift},
-                    {"foot_slip_m_s", s.foot_slip},
-                    {"duty_factors", s.duty_factor},
-                    {"cost_of_transport", s.cost_of_transport},
-                    {"within_bounds", good}});
+        "%zu of %zu walk at %.2f m/s, %+.2f rad/s: %zu fell; %.3f m/s (%.3f to %.3f); %+.3f rad/s (%+.3f "
+        "to %+.3f); slip %.3f m/s (%.3f at most); cost of transport %.2f\n",
+        walked_here, runs.size(), wanted.speed, wanted.turn, fell_here, speed.mean, speed.least, speed.most,
+        turn.mean, turn.least, turn.most, slip.mean, slip.most, transport.mean);
+    falls += fell_here, walked += walked_here;
+    list.push_back({{"commanded_speed_m_s", wanted.speed},
+                    {"commanded_turn_rad_s", wanted.turn},
+                    {"seeds", runs.size()},
+                    {"walked", walked_here},
+                    {"falls", fell_here},
+                    {"mean_speed_m_s", speed.mean},
+                    {"least_speed_m_s", speed.least},
+                    {"greatest_speed_m_s", speed.most},
+                    {"mean_turn_rad_s", turn.mean},
+                    {"mean_foot_slip_m_s", slip.mean},
+                    {"greatest_foot_slip_m_s", slip.most},
+                    {"mean_cost_of_transport", transport.mean},
+                    {"runs", each}});
   }
-  const double speed = mean(runs, [](const auto& s) { return s.speed; }),
-               cruise = mean(runs, [](const auto& s) { return s.cruise; }),
-               least = -greatest(runs, [](const auto& s) { return -s.cruise; }),
-               slip = mean(runs, [](const auto& s) { return s.foot_slip; }),
-               most_slip = greatest(runs, [](const auto& s) { return s.foot_slip; }),
-               transport = mean(runs, [](const auto& s) { return s.cost_of_transport; }),
-               aside = greatest(runs, [](const auto& s) { return std::abs(s.drift) / s.distance; });
-  std::printf(
-      "%zu of %zu seeds walk, %.0f s each, %s, commanded %.2f m/s: %zu fell; speed %.3f m/s on average; "
-      "cruise %.3f, %.3f at least; drift up to %.1f %%; slip %.3f m/s on average, %.3f at most; cost of "
-      "transport %.2f\n",
-      walked, runs.size(), o.seconds, o.ground.name().c_str(), commanded, falls, speed, cruise, least,
-      100 * aside, slip, most_slip, transport);
+  std::printf("%s, %s: %zu of %zu runs walk as commanded, %.0f s each, %s%s: %zu fell\n",
+              std::string(gait_names[static_cast<std::size_t>(Driver)]).c_str(),
+              trot::name_of(o.engine).c_str(), walked, all.size(), o.seconds, o.ground.name().c_str(),
+              o.uncertain ? ", uncertain" : "", falls);
   for (const std::string& line : limited) std::printf("first run: %s\n", line.c_str());
   if (!o.summary.empty())
     trot::write(o.summary, [&](std::ostream& file) {
-      trot::write(file, trot::json{{"seeds", runs.size()},
+      trot::write(file, trot::json{{"gait", gait_names[static_cast<std::size_t>(Driver)]},
+                                   {"engine", trot::name_of(o.engine)},
+                                   {"terrain", o.ground.name()},
+                                   {"uncertain", o.uncertain},
+                                   {"runs", all.size()},
                                    {"walked", walked},
                                    {"falls", falls},
-                                   {"commanded_speed_m_s", commanded},
-                                   {"terrain", o.ground.name()},
-                                   {"mean_speed_m_s", speed},
-                                   {"mean_cruise_speed_m_s", cruise},
-                                   {"least_cruise_speed_m_s", least},
-                                   {"greatest_drift_share", aside},
-                                   {"mean_foot_slip_m_s", slip},
-                                   {"greatest_foot_slip_m_s", most_slip},
-                                   {"mean_cost_of_transport", transport},
-                                   {"runs", list}});
+                                   {"commands", list}});
     });
   if (interrupted) return interrupted.exit_code();
-  return walked == runs.size() ? 0 : 1;
+  return walked == all.size() ? 0 : 1;
+}
+
+template <class World>
+int judge_in(const options& o) {
+  return o.driver == gait::policy ? judge<by_policy<World>, gait::policy>(o)
+                                  : judge<by_trot<World>, gait::trot>(o);
 }
 
 }  // namespace
@@ -163,9 +217,13 @@ int judge(const options& o) {
 int main(int count, char** words) {
   options o;
   cca::command_line line(
-      "the learned gait from many disturbances that were not used in training, on all cores");
+      "the learned gait at many speeds, turns and disturbances that were not used in training, on all cores");
   o.offer(line);
   return cca::run_program(count, words, line, [&] {
-    return o.engine == trot::engine::compiled ? judge<compiled_walk>(o) : judge<walking::simulated>(o);
+    if (o.first + o.count > walking::first_of_training)
+      throw cca::command_line_error("the seeds from " + std::to_string(walking::first_of_training) +
+                                    " on are those of the training: take lower ones");
+    return o.engine == trot::engine::compiled ? judge_in<cca::sim::compiled_oncilla_world>(o)
+                                              : judge_in<cca::sim::world>(o);
   });
 }

@@ -18,6 +18,7 @@ OUTSIDE = {
     "examples/trot/report/statistics.hpp": "a report after the run",
     "examples/walking_policy/evolution.hpp": TRAINS,
     "examples/walking_policy/imitation.hpp": TRAINS,
+    "examples/walking_policy/way.hpp": "a report after the run",
     "page/wasm/arm_scene.hpp": "places bodies in a picture",
     "record/include/cca/record/messages/urdf_functions.hpp": "writes the description of a robot before the run",
 }

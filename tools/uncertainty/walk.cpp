@@ -9,30 +9,28 @@
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
 #include <cca/sim/uncertain/uncertain_robot.hpp>
 
-#include "../../examples/walking_policy/rollout.hpp"
+#include "../../examples/walking_policy/trial.hpp"
 #include "../../examples/walking_policy/worth.hpp"
 #include "on_drawn_ground.hpp"
 
 namespace {
 
 template <class World>
-struct robot : cca::sim::robot<cca::robots::oncilla::as_built, cca::sim::uncertain<World>> {};
-template <class World>
-struct walking_robot : walking::architecture<robot<World>> {};
+struct walking_robot : walking::architecture<walking::uncertain_oncilla<World>> {};
 
 template <class World>
 int run(const uncertain::options& o, const std::string& weights) {
   cca::controller<walking_robot<World>> start;
   walking::name_weights(start, weights);
   start.load();
-  const double commanded = start.template get<"gait.throttle">().p.speed;
+  const walking::command wanted{start.template get<"gait.throttle">().p.speed};
   const auto rolled = [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
-    return trot::evaluate(
+    return walking::along_its_way(
         walking::roll_out(c, ground, disturbance, o.seconds, [] { return true; }, settings));
   };
   return uncertain::sweep(
-      o, uncertain::on_drawn_ground(o, start, 0.5 * commanded, rolled,
-                                    [&](const auto& figures) { return walking::walks(figures, commanded); }));
+      o, uncertain::on_drawn_ground(o, start, 0.5 * wanted.speed, rolled,
+                                    [&](const auto& figures) { return walking::walks(figures, wanted); }));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The parts of the walking policy's example alone: what it observes, how it is fitted, and how it evolves.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +13,8 @@
 
 #include "../../../examples/walking_policy/evolution.hpp"
 #include "../../../examples/walking_policy/imitation.hpp"
+#include "../../../examples/walking_policy/trial.hpp"
+#include "../../../examples/walking_policy/worth.hpp"
 
 namespace {
 
@@ -97,16 +100,123 @@ TEST_SUITE("walking policy") {
     CHECK(once.weights != other.weights);
   }
 
-  TEST_CASE("the random search climbs") {
+  TEST_CASE("the evolution strategy climbs, though the circumstances of each direction shift its values") {
     Eigen::VectorXd top(20);
     for (int i = 0; i < top.size(); ++i) top[i] = std::sin(i);
     const auto value = [&](const Eigen::VectorXd& x) { return -(x - top).squaredNorm(); };
-    walking::augmented_random_search search(Eigen::VectorXd::Zero(20), {16, 8, 0.03, 0.02}, 1);
-    for (int generation = 0; generation < 300; ++generation) {
-      std::vector<double> values;
-      for (const auto& x : search.ask()) values.push_back(value(x));
-      search.tell(values);
+    const auto climbed = [&](std::uint64_t seed) {
+      walking::evolution_strategy search(
+          Eigen::VectorXd::Zero(20), {.directions = 16, .noise = 0.03, .length = 0.02, .kept = 0.8}, seed);
+      for (int generation = 0; generation < 200; ++generation) {
+        std::vector<double> values;
+        for (const auto& x : search.ask())
+          values.push_back(value(x) + 100 * static_cast<double>(values.size() / 2));
+        search.tell(values);
+      }
+      return search.mean();
+    };
+    CHECK(value(climbed(1)) > 0.02 * value(Eigen::VectorXd::Zero(20)));
+    CHECK(climbed(1) == climbed(1));
+    CHECK(climbed(1) != climbed(2));
+  }
+
+  TEST_CASE("a point that falls neither leads the evolution alone nor silences the other directions") {
+    walking::evolution_strategy search(Eigen::VectorXd::Zero(5),
+                                       {.directions = 10, .noise = 0.1, .length = 0.1, .kept = 0}, 1);
+    const auto points = search.ask();
+    std::vector<double> values(points.size(), 0.0);
+    values[0] = -1e6;
+    Eigen::VectorXd expected = -3 * points[0];  // at most three times the median
+    for (std::size_t i = 2; i < values.size(); i += 2) values[i] = 0.01, expected += points[i];
+    search.tell(values);
+    CHECK((search.mean() - expected / 10).norm() < 1e-12);  // a direction is a point / 0.1
+  }
+
+  TEST_CASE("the helm shows the trunk from a heading that turns as commanded, after the start") {
+    walking::helm helm;
+    helm.p.turn = 0.5, helm.p.start = 0.2;
+    const auto shown = [&](std::int64_t k, double roll, double pitch, double yaw) {
+      const cca::beat now(k, 1'000'000, 1);
+      const auto q = cca::rotation::from_roll_pitch_yaw(roll, pitch, yaw);
+      return helm.process({q, now.time(), true}, now);
+    };
+    for (std::int64_t k = 0; k < 200; ++k)
+      CHECK(shown(k, 0.1, 0.2, 0.3).vector() == cca::rotation::from_roll_pitch_yaw(0.1, 0.2, 0.3));
+    for (std::int64_t k = 200; k < 10'200; ++k) {
+      const double heading = 0.5 * static_cast<double>(k - 199) * 1e-3;
+      const Eigen::Vector4d relative = shown(k, 0.1, 0.2, heading + 0.3).vector();
+      // A quaternion and its negative are the same orientation.
+      REQUIRE(std::abs(relative.dot(cca::rotation::from_roll_pitch_yaw(0.1, 0.2, 0.3))) ==
+              doctest::Approx(1).epsilon(1e-12));
     }
-    CHECK(value(search.mean()) > 0.02 * value(Eigen::VectorXd::Zero(20)));
+    // Down is the same from every heading.
+    const Eigen::Vector4d q = cca::rotation::from_roll_pitch_yaw(0.3, -0.2, 1.0);
+    const cca::beat now(10'200, 1'000'000, 1);
+    CHECK((trunk().hold(helm.process({q, now.time(), true}, now).vector(), 1).down - trunk().hold(q, 1).down)
+              .norm() < 1e-12);
+    const Eigen::Vector4d none = Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
+    CHECK(std::isnan(helm.process({none, now.time(), true}, now).vector()[0]));
+  }
+
+  TEST_CASE("the figures along a circle: speed towards the nose, turn, and cost of transport") {
+    trot::recording run;
+    run.mass = 2, run.work = 30;
+    const double speed = 0.4, turn = -0.5;
+    for (int k = 0; k <= 10'000; ++k) {  // 10 s, more than once past the yaw of pi
+      const double t = 1e-3 * k, yaw = turn * t;
+      trot::moment m{};
+      m.time = t;
+      m.position = {speed / turn * std::sin(yaw), speed / turn * (1 - std::cos(yaw)), 0.2};
+      m.attitude = {0.01 * std::sin(t), 0.02, cca::wrap_signed(yaw)};
+      run.moments.push_back(m);
+    }
+    walking::figures f = walking::along_its_way(run);
+    CHECK(f.cruise == doctest::Approx(0.4).epsilon(1e-6));
+    CHECK(f.turn == doctest::Approx(-0.5).epsilon(1e-6));
+    CHECK(f.way == doctest::Approx(4).epsilon(1e-6));
+    CHECK(f.transport == doctest::Approx(30 / (2 * 9.81 * 4)));
+    CHECK(f.max_pitch == 0.02);
+    CHECK(walking::walks(f, {0.4, -0.5}));
+    CHECK(walking::walks(f, {0.44, -0.54}));
+    CHECK(!walking::walks(f, {0.46, -0.5}));
+    CHECK(!walking::walks(f, {0.34, -0.5}));
+    CHECK(!walking::walks(f, {0.4, -0.44}));
+    CHECK(!walking::walks(f, {0.4, 0}));
+    // More of the bounds, each alone; a figure that is NaN keeps none.
+    const auto with = [&](auto change) {
+      walking::figures changed = f;
+      changed.turn = 0;
+      change(changed);
+      return walking::walks(changed, {0.4, 0});
+    };
+    CHECK(with([](auto& g) { g.drift = 0.1; }));
+    CHECK(!with([](auto& g) { g.drift = 0.7; }));
+    CHECK(!with([](auto& g) { g.slip = 0.16; }));
+    CHECK(!with([](auto& g) { g.fell = true; }));
+    CHECK(!with([](auto& g) { g.cruise = std::numeric_limits<double>::quiet_NaN(); }));
+    CHECK(!with([](auto& g) { g.slip = std::numeric_limits<double>::quiet_NaN(); }));
+    CHECK(walking::worth(f, {0.4, -0.5}, 10) > walking::worth(f, {0.5, -0.5}, 10));
+    CHECK(walking::worth(f, {0.4, -0.5}, 10) > walking::worth(f, {0.4, -0.4}, 10));
+    const double walked = walking::worth(f, {0.6, -0.3}, 10);
+    f.fell = true;
+    CHECK(walking::worth(f, {0.4, -0.5}, 10) < walked);
+  }
+
+  TEST_CASE("a trial is drawn from its number alone") {
+    int straight = 0, left = 0;
+    double slowest = 1, fastest = 0;
+    for (std::uint64_t n = walking::first_of_training; n < walking::first_of_training + 300; ++n) {
+      const walking::trial t = walking::drawn_trial(n), again = walking::drawn_trial(n);
+      CHECK(t.wanted.speed == again.wanted.speed);
+      CHECK(t.uncertain.drives.delay == again.uncertain.drives.delay);
+      CHECK(static_cast<std::uint64_t>(t.uncertain.seed.value()) == n);
+      straight += t.wanted.turn == 0, left += t.wanted.turn > 0;
+      slowest = std::min(slowest, t.wanted.speed), fastest = std::max(fastest, t.wanted.speed);
+    }
+    CHECK(straight == 100);
+    CHECK(left > 80);
+    CHECK(left < 120);
+    CHECK(slowest < 0.17);
+    CHECK(fastest > 0.68);
   }
 }
