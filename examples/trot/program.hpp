@@ -109,7 +109,7 @@ struct program : cca::robot_program<Watched> {
   }
 
   void stop(controller_type& c) override {
-    c.stop();
+    cca::robot_program<Watched>::stop(c);
     taken = seconds_since(start) - drawn;
     bar.done();
   }
