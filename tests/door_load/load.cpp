@@ -1,18 +1,23 @@
 // A controller at 1 kHz with an open door, and in a process of its own what loads the door: clients that read
 // all outputs, and connections a second that come and go. It prints what the loop has seen.
 //   cca_door_load [--clients N] [--connects RATE] [--seconds S] [--fifo] [--check]
+// Beside it another process runs the same controller at the same time, with a door that nobody opens. What
+// the machine does to a loop it does to both: a beat that is late in one alone is told.
 // --fifo: the loop's thread has the scheduling class SCHED_FIFO, which a program may need a right for. --check:
 // fails unless each client reads nearly all beats, the memory stays, and as many connections came as wanted.
 // docs/door.md has the figures.
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -42,7 +47,24 @@ struct source {
     return Eigen::Vector3d(Of, static_cast<double>(now.index()), 0.5);
   }
 };
+// When beats began late, on the clock of the machine.
+struct late_beats {
+  static constexpr std::size_t most = 1 << 16;
+  std::array<std::int64_t, most> at;
+  std::size_t count;
+};
+struct watch {
+  auto process(cca::beat) -> cca::out<"y", six> {
+    const std::int64_t now = cca::detail::monotonic_clock::now();
+    if (before != 0 && now - before > 1'500'000 && to->count < late_beats::most) to->at[to->count++] = now;
+    before = now;
+    return Eigen::Vector3d(0, 0, 0);
+  }
+  late_beats* to = nullptr;
+  std::int64_t before = 0;
+};
 struct graph : cca::graph<cca::rate<1000>,
+                          cca::node<"watch", watch, cca::timed<1>>,
                           cca::node<"a", source<0>, cca::timed<1>>,
                           cca::node<"b", source<1>, cca::timed<1>>,
                           cca::node<"c", source<2>, cca::timed<1>>,
@@ -163,8 +185,45 @@ int load(const wishes& w, std::uint16_t port, int to) {
 
 // ---- the process of the controller ----
 
-int run(const wishes& w) {
+int become_fifo() {
+  const sched_param first{40};
+  const int wrong = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &first);
+  if (wrong) std::fprintf(stderr, "--fifo: %s\n", std::strerror(wrong));
+  return wrong;
+}
+std::int64_t beats_of(const wishes& w) { return static_cast<std::int64_t>(w.seconds * 1000); }
+
+int run_beside(const wishes& w, late_beats& late) {
   cca::controller<graph> c;
+  c.get<"watch">().to = &late;
+  c.load();
+  c.start();
+  cca::door door(c, {.port = 0, .token = token, .tells_where = false});
+  if (w.fifo && become_fifo()) return 2;
+  c.run(cca::for_some_beats{beats_of(w)}, cca::at_wall_clock(), door);
+  std::printf("beside it, without a client: %lld beats, %lld overruns, %lld periods without a beat\n",
+              static_cast<long long>(c.beat_index()), static_cast<long long>(c.overruns()),
+              static_cast<long long>(c.lost_periods()));
+  std::fflush(stdout);
+  return 0;
+}
+// Those of `some` that have none of `others` within 20 ms.
+std::size_t alone(const late_beats& some, const late_beats& others) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < some.count; ++i)
+    count += std::none_of(others.at.begin(), others.at.begin() + static_cast<std::ptrdiff_t>(others.count),
+                          [&](std::int64_t at) { return std::abs(at - some.at[i]) < 20'000'000; });
+  return count;
+}
+
+int run(const wishes& w) {
+  void* const room = ::mmap(nullptr, 2 * sizeof(late_beats), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) return std::perror("mmap"), 3;
+  auto* const late = static_cast<late_beats*>(room);
+  const pid_t beside = ::fork();
+  if (beside == 0) ::_exit(run_beside(w, late[1]));
+  cca::controller<graph> c;
+  c.get<"watch">().to = &late[0];
   c.load();
   c.start();
   int port_to_load[2], counts[2];
@@ -179,11 +238,7 @@ int run(const wishes& w) {
   cca::door door(c, {.port = 0, .token = token, .tells_where = false});
   const std::uint16_t port = door.port();
   if (::write(port_to_load[1], &port, sizeof port) != sizeof port) return 3;
-  if (w.fifo) {
-    const sched_param first{40};
-    if (const int wrong = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &first))
-      return std::fprintf(stderr, "--fifo: %s\n", std::strerror(wrong)), 2;
-  }
+  if (w.fifo && become_fifo()) return 2;
   // Looked at by another thread: the loop makes no call of the system.
   std::vector<long> memory;
   std::jthread looks([&](const std::stop_token& end) {
@@ -194,7 +249,7 @@ int run(const wishes& w) {
       if (!end.stop_requested()) memory.push_back(resident());
     }
   });
-  const auto beats = static_cast<std::int64_t>(w.seconds * 1000);
+  const std::int64_t beats = beats_of(w);
   c.run(cca::for_some_beats{beats}, cca::at_wall_clock(), door);
   looks.request_stop();
   looks.join();
@@ -205,6 +260,8 @@ int run(const wishes& w) {
                                       &closed) == 5;
   std::fclose(from);
   ::waitpid(other, nullptr, 0);
+  int of_beside = 0;
+  ::waitpid(beside, &of_beside, 0);
   if (!has_counts) return std::fprintf(stderr, "the clients have failed\n"), 1;
 
   const std::size_t quarter = memory.size() / 4;
@@ -212,6 +269,8 @@ int run(const wishes& w) {
   std::printf("%d clients, %.0f connects/s, %.0f s: %lld beats, %lld overruns, %lld periods without a beat\n",
               w.clients, w.connects, w.seconds, static_cast<long long>(c.beat_index()),
               static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
+  std::printf("beats that began late: %zu, beside it %zu; late in one of them alone: %zu here, %zu there\n",
+              late[0].count, late[1].count, alone(late[0], late[1]), alone(late[1], late[0]));
   std::printf("memory of the controller: %ld KiB after a quarter, %ld KiB at the end\n", before, after);
   std::printf("samples read: %llu, of the slowest client %llu of %lld; told to be lost: %llu; closed: %llu\n",
               samples, least, static_cast<long long>(beats) * outputs, lost, closed);
@@ -219,6 +278,7 @@ int run(const wishes& w) {
   if (!w.checks) return 0;
   const auto fail = [](const char* what) { return std::fprintf(stderr, "failed: %s\n", what), 1; };
   const auto wanted = static_cast<double>(beats - c.lost_periods()) * outputs;
+  if (of_beside != 0) return fail("the controller beside it has failed");
   if (after - before > 1024) return fail("the memory has grown by more than 1 MiB");
   if (closed > 0) return fail("a client was closed");
   if (w.clients > 0 && static_cast<double>(least + lost) < 0.5 * wanted)

@@ -327,6 +327,25 @@ TEST_CASE("A slow client loses the oldest, is told how many, and keeps the last 
   CHECK_FALSE(quick.is_told("slow", 10ms));
 }
 
+TEST_CASE("What a client that was slow has needed is given back when it has read it") {
+  const cca::detail::door_limits limits;
+  cca::detail::door_network::outbox out(limits);
+  const std::string data(120, 'x');
+  std::string to;
+  for (int burst = 0; burst < 3; ++burst) {
+    for (int i = 0; i < 10'000; ++i)
+      out.sample([](std::uint16_t) { return false; }, 1, 1, 1, data);
+    CHECK(out.holds() > 1'000'000);
+    std::size_t read = 0;
+    while (out.take(to)) read += to.size();
+    CHECK(read > 1'000'000);
+    CHECK(out.holds() < 300'000);
+    CHECK(out.answer(cca::detail::door_network::frame_kind::text, std::string(1'000'000, 'y')));
+    while (out.take(to)) {}
+    CHECK(to.capacity() < 300'000);
+  }
+}
+
 TEST_CASE("What the recording's thread hands over is bounded, and what is lost is told") {
   cca::detail::door_limits limits;
   limits.handed_over = 5000;

@@ -59,6 +59,7 @@ public:
 
   // The next bytes, in whole frames: answers first, then the time, then about 64 KiB of samples.
   bool take(std::string& to) {
+    if (to.capacity() > most_held) to = std::string();
     to.clear();
     if (!answers.empty()) {
       std::swap(to, answers);
@@ -81,6 +82,8 @@ public:
     return !to.empty();
   }
   void take_answers(std::string& to) { to = std::exchange(answers, {}); }
+  // For tests: bytes of memory for samples, waiting or not.
+  std::size_t holds() const { return samples.capacity(); }
   bool has_room() const { return samples.size() - sent < limits.waiting_bytes / 2; }
 
   std::uint64_t lost = 0;
@@ -98,6 +101,9 @@ private:
   std::size_t sent = 0;  // the bytes of `samples` before that are gone
   std::optional<std::uint64_t> now{};
 
+  // What a client that was slow for a moment has needed is given back.
+  static constexpr std::size_t most_held = 256 << 10;
+
   void drop_first() {
     sent += each.front().size;
     each.pop_front();
@@ -108,6 +114,7 @@ private:
       samples.erase(0, sent);
       sent = 0;
     }
+    if (samples.empty() && samples.capacity() > most_held) samples = std::string();
   }
 };
 
