@@ -405,6 +405,17 @@ TEST_CASE("door: options of a fault are refused in words") {
   CHECK(several.err.find("a fault of several processes ends them all") != std::string::npos);
 }
 
+namespace {
+
+// [held]
+[[maybe_unused]] cca::state until_told(cca::controller<hot>& c) {
+  cca::door door(c, {.port = 8765});
+  return door.run(c, cca::for_<600>{}, cca::at_wall_clock());
+}
+// [held end]
+
+}  // namespace
+
 TEST_CASE("door: a loop of one's own holds a fault, too") {
   cca::controller<hot> c;
   c.load();
