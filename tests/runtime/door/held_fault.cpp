@@ -395,6 +395,18 @@ TEST_CASE("door: its time goes on where it was, and is over") {
   CHECK(r.walk.code() == 1);  // by itself
 }
 
+TEST_CASE("door: a start that its program never made is no start") {
+  using anew = cca::detail::begun_anew;
+  anew all;
+  all.is_at(anew::place::waiting);
+  CHECK(all.ask(anew::wish::start, false).empty());
+  CHECK(all.how_it_went(0, false).is == anew::answer::kind::nothing);
+  all.ends();
+  const auto went = all.how_it_went(0, false);
+  CHECK(went.is == anew::answer::kind::refused);
+  CHECK(went.why == "the run has ended");
+}
+
 TEST_CASE("door: options of a fault are refused in words") {
   child wrong(cca::robot_main<program<hot>>, {"--on-fault", "panic"});
   CHECK(wrong.code() == 2);

@@ -251,6 +251,18 @@ TEST_CASE("Parameters that can't be read are refused after a while") {
   CHECK(c.next("parameterValues")["parameters"].size() == 5);
 }
 
+TEST_CASE("Of what clients ask for and can't have yet there is an end") {
+  opened one({}, {.subscriptions = 3, .requests = 2});
+  one.controls.answers(fake_controls::how::busy);
+  client c(one.port());
+  for (int i = 0; i < 3; ++i) c.text({{"op", "getParameters"}});
+  CHECK(c.is_told("too many clients ask for parameters"));
+  one.controls.answers(fake_controls::how::done);
+  CHECK(c.next("parameterValues")["parameters"].size() == 5);
+  c.text({{"op", "subscribeParameterUpdates"}, {"parameterNames", {"a", "b", "c", "d"}}});
+  CHECK(c.is_told("subscribeParameterUpdates: at most 3"));
+}
+
 TEST_CASE("The program describes itself") {
   opened one;
   one.door.sink().metadata("cca.architecture", {{"name", "fake"}});
