@@ -3,9 +3,9 @@
 //   cca_door_load [--clients N] [--connects RATE] [--seconds S] [--fifo] [--check]
 // Beside it another process runs the same controller at the same time, with a door that nobody opens. What
 // the machine does to a loop it does to both: a beat that is late in one alone is told.
-// --fifo: the loop's thread has the scheduling class SCHED_FIFO, which a program may need a right for. --check:
-// fails unless each client reads nearly all beats, the memory stays, and as many connections came as wanted.
-// docs/door.md has the figures.
+// --fifo: the loop's thread has the scheduling class SCHED_FIFO, which a program may need a right for.
+// --check: fails unless each client reads nearly all beats, the memory stays, and as many connections came as
+// wanted. docs/door.md has the figures.
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
@@ -174,12 +174,11 @@ int load(const wishes& w, std::uint16_t port, int to) {
     all.samples += one.seen.samples, all.told_lost += one.seen.told_lost, all.closed += !one.is_open;
   }
   char line[160];
-  const int size = std::snprintf(line, sizeof line, "%llu %llu %llu %llu %llu\n",
-                                 static_cast<unsigned long long>(all.samples),
-                                 static_cast<unsigned long long>(readers.empty() ? 0 : least),
-                                 static_cast<unsigned long long>(all.told_lost),
-                                 static_cast<unsigned long long>(all.connects),
-                                 static_cast<unsigned long long>(all.closed));
+  const int size = std::snprintf(
+      line, sizeof line, "%llu %llu %llu %llu %llu\n", static_cast<unsigned long long>(all.samples),
+      static_cast<unsigned long long>(readers.empty() ? 0 : least),
+      static_cast<unsigned long long>(all.told_lost), static_cast<unsigned long long>(all.connects),
+      static_cast<unsigned long long>(all.closed));
   return ::write(to, line, static_cast<std::size_t>(size)) == size ? 0 : 1;
 }
 
@@ -217,7 +216,8 @@ std::size_t alone(const late_beats& some, const late_beats& others) {
 }
 
 int run(const wishes& w) {
-  void* const room = ::mmap(nullptr, 2 * sizeof(late_beats), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  void* const room =
+      ::mmap(nullptr, 2 * sizeof(late_beats), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) return std::perror("mmap"), 3;
   auto* const late = static_cast<late_beats*>(room);
   const pid_t beside = ::fork();
@@ -256,8 +256,8 @@ int run(const wishes& w) {
   ::kill(other, SIGTERM);
   unsigned long long samples = 0, least = 0, lost = 0, connects = 0, closed = 0;
   std::FILE* const from = ::fdopen(counts[0], "r");
-  const bool has_counts = std::fscanf(from, "%llu %llu %llu %llu %llu", &samples, &least, &lost, &connects,
-                                      &closed) == 5;
+  const bool has_counts =
+      std::fscanf(from, "%llu %llu %llu %llu %llu", &samples, &least, &lost, &connects, &closed) == 5;
   std::fclose(from);
   ::waitpid(other, nullptr, 0);
   int of_beside = 0;
@@ -265,7 +265,8 @@ int run(const wishes& w) {
   if (!has_counts) return std::fprintf(stderr, "the clients have failed\n"), 1;
 
   const std::size_t quarter = memory.size() / 4;
-  const long before = memory.size() > quarter ? memory[quarter] : 0, after = memory.empty() ? 0 : memory.back();
+  const long before = memory.size() > quarter ? memory[quarter] : 0,
+             after = memory.empty() ? 0 : memory.back();
   std::printf("%d clients, %.0f connects/s, %.0f s: %lld beats, %lld overruns, %lld periods without a beat\n",
               w.clients, w.connects, w.seconds, static_cast<long long>(c.beat_index()),
               static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));

@@ -42,7 +42,9 @@ class noise {
 public:
   explicit noise(std::uint64_t seed) : random(seed) {}
 
-  std::size_t below(std::size_t most) { return std::uniform_int_distribution<std::size_t>(0, most - 1)(random); }
+  std::size_t below(std::size_t most) {
+    return std::uniform_int_distribution<std::size_t>(0, most - 1)(random);
+  }
   std::string bytes(std::size_t most) {
     std::string all(below(most + 1), '\0');
     for (char& byte : all) byte = static_cast<char>(below(256));
@@ -62,14 +64,29 @@ public:
   std::string greeting(std::uint16_t port) {
     greeting_words with;
     switch (below(8)) {
-      case 0: with.host = mutated("127.0.0.1:" + std::to_string(port)); break;
-      case 1: with.origin = mutated("http://127.0.0.1:" + std::to_string(port)); break;
-      case 2: with.protocols = mutated("foxglove.sdk.v1, cca.v1, cca.token.0123"); break;
-      case 3: with.target = mutated("/?once=0123456789abcdef"); break;
-      case 4: with.version = mutated("13"); break;
-      case 5: with.method = mutated("GET"); break;
-      case 6: with.more = "\r\nContent-Length: " + std::to_string(below(1'000'000'000)); break;
-      default: return bytes(600);
+      case 0:
+        with.host = mutated("127.0.0.1:" + std::to_string(port));
+        break;
+      case 1:
+        with.origin = mutated("http://127.0.0.1:" + std::to_string(port));
+        break;
+      case 2:
+        with.protocols = mutated("foxglove.sdk.v1, cca.v1, cca.token.0123");
+        break;
+      case 3:
+        with.target = mutated("/?once=0123456789abcdef");
+        break;
+      case 4:
+        with.version = mutated("13");
+        break;
+      case 5:
+        with.method = mutated("GET");
+        break;
+      case 6:
+        with.more = "\r\nContent-Length: " + std::to_string(below(1'000'000'000));
+        break;
+      default:
+        return bytes(600);
     }
     return below(3) == 0 ? mutated(greeting_of(port, with)) : greeting_of(port, with);
   }
@@ -90,10 +107,15 @@ public:
     return mutated(right[below(right.size())]);
   }
   std::string call() {
-    static const std::vector<std::string> right{"{}", R"({"beats":3})", R"({"factor":0.5})", R"({"file":"a.toml"})",
-                                                R"({"force":10,"angle":1})", R"({"mode":"stand"})"};
+    static const std::vector<std::string> right{"{}",
+                                                R"({"beats":3})",
+                                                R"({"factor":0.5})",
+                                                R"({"file":"a.toml"})",
+                                                R"({"force":10,"angle":1})",
+                                                R"({"mode":"stand"})"};
     const auto id = static_cast<std::uint32_t>(below(30));
-    return mutated(client::bytes_of_call(id, id, right[below(right.size())]));
+    std::string one = client::bytes_of_call(id, id, below(2) == 0 ? "{}" : right[below(right.size())]);
+    return below(2) == 0 ? one : mutated(std::move(one));
   }
   std::string frame() {
     if (below(4) == 0) return bytes(200);
@@ -173,8 +195,8 @@ int main(int count, char** words) {
       if (!c->is_open) ++unopened;
     }
     const bool sent = is_frame ? c->wire.send(random.frame())
-                                 : c->wire.send(random.below(3) == 0 ? frame_of(0x82, random.call())
-                                                                     : frame_of(0x81, random.message()));
+                               : c->wire.send(random.below(3) == 0 ? frame_of(0x82, random.call())
+                                                                   : frame_of(0x81, random.message()));
     while (c->wire.receive(std::chrono::milliseconds(0)) && !c->wire.is_closed) c->wire.received.clear();
     if (!sent) c->wire.is_closed = true;
   }
@@ -199,7 +221,7 @@ int main(int count, char** words) {
   if (closed == 0) return fail("no connection was ended: these messages test nothing");
   if (is_lost || !commands) return fail("who commands has lost its connection, or the right");
   if (!works) return fail("the door does not answer any more");
-  if (late - early > 2048) return fail("the memory has grown by more than 2 MiB");
+  if (late - early > 16384) return fail("the memory has grown by more than 16 MiB");
   if (longest > 1'000'000'000) return fail("a reader has waited for more than a second");
   return 0;
 }

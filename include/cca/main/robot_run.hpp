@@ -22,7 +22,7 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/main/counted_pace.hpp>
 #include <cca/main/descriptions.hpp>
-#include <cca/main/held_run.hpp>
+#include <cca/runtime/live/held_run.hpp>
 #include <cca/main/observed_run.hpp>
 #include <cca/runtime/observers/program_door.hpp>
 #include <cca/main/robot_program.hpp>
@@ -72,24 +72,6 @@ private:
 std::string told_of_fault(std::int64_t period,
                           const fault_of_run& fault,
                           const std::vector<std::string>& waits_for);
-
-// A program without a door.
-template <class Controller>
-struct no_door {
-  bool look(Controller&) const { return true; }
-  bool look_while_paused(Controller&) const { return true; }
-  bool look_at_rest(Controller&) const { return true; }
-  void run_ended(Controller&) const {}
-  bool ends_run() const { return false; }
-};
-template <class Controller>
-struct door_of {
-  using type = no_door<Controller>;
-};
-template <HasDoor Controller>
-struct door_of<Controller> {
-  using type = program_door<Controller>;
-};
 
 template <class Program>
 class robot_run {
@@ -188,7 +170,7 @@ private:
                      [this, &c](std::int64_t overruns) { return figures_of(c, overruns); });
     else throw refused(called + ": this program has no door: see docs/door.md");
   }
-  // With --paused the robot idles until somebody tells it to go on. False: it was told to end.
+  // With --paused the robot idles until it is told to go on. False: it was told to end.
   bool begins(controller_type& c, const interruption& interrupted) {
     begun_anew& anew = program.control.anew;
     if (!program.settings.paused) return c.start(), true;
@@ -196,7 +178,8 @@ private:
     if (!program.others.open) anew.is_at(begun_anew::place::waiting);
     tell("waits to be told to go on");
     bool is_told = false;
-    const bool is_started = rests(c, interrupted, [&] { return is_told = !program.control.is_pause_wanted(); });
+    const bool is_started =
+        rests(c, interrupted, [&] { return is_told = !program.control.is_pause_wanted(); });
     if (is_told) c.start();
     return is_started || is_told;
   }

@@ -40,8 +40,7 @@ CCA_MAIN_INLINE std::string run_commands::obey(run_control& control, std::string
     else control.pause();
     return {};
   }
-  if (line == "r" || line == "resume")
-    return control.anew.ask(begun_anew::wish::resume, control.is_paused());
+  if (line == "r" || line == "resume") return control.anew.ask(begun_anew::wish::resume, control.is_paused());
   if (line == "start") return control.anew.ask(begun_anew::wish::start, control.is_paused());
   const std::string unknown = "`" + std::string(line) +
                               "` is no command: p pauses, g goes on, s makes one beat, r resumes after a "

@@ -156,11 +156,8 @@ private:
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("door: a fault is held, its cause is told, and what is mended goes on",
-                   Architecture,
-                   hot,
-                   split,
-                   ways) {
+TEST_CASE_TEMPLATE(
+    "door: a fault is held, its cause is told, and what is mended goes on", Architecture, hot, split, ways) {
   heated<Architecture> r;
   CHECK(r.user.call("/cca/resume") == "resume: nothing has faulted");
   r.overheat();
@@ -274,7 +271,8 @@ TEST_CASE("door: a fault in a pause is held, and the pause holds after it") {
   const json paused = r.status([](const json& now) { return now["is_paused"] == true; });
   CHECK(paused["beat"] == beat + 1);
   CHECK(r.user.call("/cca/go_on") == "");
-  CHECK_FALSE(r.status([&](const json& now) { return now["beat"].get<std::int64_t>() > beat + 5; }).is_null());
+  CHECK_FALSE(
+      r.status([&](const json& now) { return now["beat"].get<std::int64_t>() > beat + 5; }).is_null());
   CHECK(r.user.call("/cca/stop") == "");
   CHECK(r.walk.code() == 1);
 }

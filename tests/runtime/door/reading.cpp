@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include <cca/door/network/outbox.hpp>
+
 #include "opened.hpp"
 
 using namespace door_test;
@@ -345,8 +347,7 @@ TEST_CASE("What a client that was slow has needed is given back when it has read
   const std::string data(120, 'x');
   std::string to;
   for (int burst = 0; burst < 3; ++burst) {
-    for (int i = 0; i < 10'000; ++i)
-      out.sample([](std::uint16_t) { return false; }, 1, 1, 1, data);
+    for (int i = 0; i < 10'000; ++i) out.sample([](std::uint16_t) { return false; }, 1, 1, 1, data);
     CHECK(out.holds() > 1'000'000);
     std::size_t read = 0;
     while (out.take(to)) read += to.size();

@@ -138,7 +138,7 @@ public:
     const bool has_effect = begun == about::command ? commands.is_taken()
                             : begun == about::pause
                                 ? control.is_paused() || (has_looked && live.state() != state::running)
-                                                    : live.is_taken();
+                                : live.is_taken();
     if (!has_effect) return {door_outcome::how::begun, {}};
     if (begun != about::request) return {};
     if (const std::string by = live.refused_by(); !by.empty())

@@ -27,7 +27,7 @@
 #include <cca/door/live_controls.hpp>
 #include <cca/door/server.hpp>
 #include <cca/door/settings.hpp>
-#include <cca/main/held_run.hpp>
+#include <cca/runtime/live/held_run.hpp>
 #include <cca/runtime/observers/run_command.hpp>
 #include <cca/record/recorder.hpp>
 #include <cca/runtime/live/live_access.hpp>
@@ -130,9 +130,9 @@ public:
   // Into a file from now on; docs/recordings.md.
   void record(const std::string& file) { recorded.begin_file(file); }
 
-  // Runs `c` with this door, for a time, at a pace; and again, as long as time is left, where a client resumes
-  // it after a fault, or starts it anew after a fault or in a pause. While a fault is held the robot idles.
-  // The state at the end: `faulted` where the run was stopped while a fault was held.
+  // Runs `c` with this door, for a time, at a pace; and again, as long as time is left, where a client
+  // resumes it after a fault, or starts it anew after a fault or in a pause. While a fault is held the robot
+  // idles. The state at the end: `faulted` where the run was stopped while a fault was held.
   template <class Duration, class Pace = as_fast_as_possible>
   cca::state run(Controller& c, Duration duration, Pace pace = {}) {
     detail::run_control& all = control();
@@ -173,9 +173,7 @@ public:
     on.template after_beat<Environment>(c);
   }
   detail::run_control& control() { return on.live.control(); }
-  bool while_paused(Controller& c) {
-    return on.look_while_paused(c) && !control().anew.is_wanted_to_start();
-  }
+  bool while_paused(Controller& c) { return on.look_while_paused(c) && !control().anew.is_wanted_to_start(); }
   void run_ended(Controller& c) { on.run_ended(c); }
 
 private:

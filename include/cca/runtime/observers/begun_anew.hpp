@@ -1,5 +1,5 @@
-// How a run goes on that a fault or a pause holds: any thread asks the one that rests in cca::detail::held_run
-// (main/held_run.hpp) to resume, or to start anew.
+// How a run goes on that a fault or a pause holds: any thread asks the one that rests in
+// cca::detail::held_run (runtime/live/held_run.hpp) to resume, or to start anew.
 //
 //   ask(what, is_paused)   any thread: why not, or empty: it is asked, and the resting thread takes it
 //   how_it_went(k, is_faulted)

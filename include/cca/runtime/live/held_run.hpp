@@ -5,7 +5,8 @@
 //                         true: c is started, and a run is to follow; false: `goes_on(c)` has ended it. Once
 //                         a period the robot idles, and then `rested(c)` is called
 //
-// `c` is faulted, loaded, or started; a started one is stopped first. Test: tests/runtime/door/held_fault.cpp.
+// `c` is faulted, loaded, or started; a started one is stopped first. Test:
+// tests/runtime/door/held_fault.cpp.
 #pragma once
 
 #include <algorithm>
