@@ -4,8 +4,9 @@
 // Beside it another process runs the same controller at the same time, with a door that nobody opens. What
 // the machine does to a loop it does to both: a beat that is late in one alone is told.
 // --fifo: the loop's thread has the scheduling class SCHED_FIFO, which a program may need a right for.
-// --check: fails unless each client reads nearly all beats, the memory stays, and as many connections came as
-// wanted. docs/door.md has the figures.
+// --check: fails unless each client reads half of the beats or is told what it has lost, the memory is
+// bounded, and half of the connections came that are wanted: what a busy machine can do, too. docs/door.md
+// has figures.
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
@@ -280,7 +281,8 @@ int run(const wishes& w) {
   const auto fail = [](const char* what) { return std::fprintf(stderr, "failed: %s\n", what), 1; };
   const auto wanted = static_cast<double>(beats - c.lost_periods()) * outputs;
   if (of_beside != 0) return fail("the controller beside it has failed");
-  if (after - before > 1024) return fail("the memory has grown by more than 1 MiB");
+  // What waits for each client is bounded; here it may wait for the first time.
+  if (after - before > 16384 + 3072l * w.clients) return fail("the memory has grown beyond its bound");
   if (closed > 0) return fail("a client was closed");
   if (w.clients > 0 && static_cast<double>(least + lost) < 0.5 * wanted)
     return fail("a client has read less than half, and was not told so");

@@ -38,11 +38,9 @@
 namespace cca::detail {
 
 void refuse_one_file(const run_settings& s);
-// Of a recording to replay.
-void refuse_unfinished_recording(const std::string& file);
+void refuse_unfinished_recording(const std::string& file);  // to replay
 
-// "after 1.234 s"
-std::string text_of_time(std::int64_t nanoseconds);
+std::string text_of_time(std::int64_t nanoseconds);  // "after 1.234 s"
 
 // What a second SIGINT says of a program: `called` is its name, `what` was left behind.
 std::string left_behind(const std::string& called,
@@ -187,8 +185,7 @@ private:
   bool begins_anew(controller_type& c, const interruption& interrupted, std::int64_t first) {
     begun_anew& anew = program.control.anew;
     is_fault_told = false;
-    const bool is_faulted = c.state() == state::faulted;
-    const bool holds = program.settings.on_fault == "hold";
+    const bool is_faulted = c.state() == state::faulted, holds = program.settings.on_fault == "hold";
     has_faulted = has_faulted || is_faulted;
     if (is_faulted)
       anew.faults(c.beat_index(), c.fault_path(), std::string(c.fault().reason()),
