@@ -59,7 +59,7 @@ public:
 
   // The next bytes, in whole frames: answers first, then the time, then about 64 KiB of samples.
   bool take(std::string& to) {
-    if (to.capacity() > most_held) to = std::string();
+    give_back(to);
     to.clear();
     if (!answers.empty()) {
       std::swap(to, answers);
@@ -101,8 +101,10 @@ private:
   std::size_t sent = 0;  // the bytes of `samples` before that are gone
   std::optional<std::uint64_t> now{};
 
-  // What a client that was slow for a moment has needed is given back.
-  static constexpr std::size_t most_held = 256 << 10;
+  // What a client that was slow for a moment has needed. An assignment would keep it.
+  static void give_back(std::string& bytes) {
+    if (bytes.capacity() > (256u << 10)) std::string().swap(bytes);
+  }
 
   void drop_first() {
     sent += each.front().size;
@@ -110,11 +112,11 @@ private:
     tidy();
   }
   void tidy() {
-    if (sent * 2 > samples.size() + 4096) {
+    if (sent == samples.size() || sent * 2 > samples.size() + 4096) {
       samples.erase(0, sent);
       sent = 0;
     }
-    if (samples.empty() && samples.capacity() > most_held) samples = std::string();
+    if (samples.empty()) give_back(samples);
   }
 };
 
