@@ -298,7 +298,7 @@ TEST_CASE("The graph is told") {
   const json graph = c.next("connectionGraphUpdate");
   CHECK(graph["publishedTopics"] == json::array({{{"name", "/gait/angles"}, {"publisherIds", {"gait"}}}}));
   CHECK(graph["subscribedTopics"] == json::array({{{"name", "/gait/angles"}, {"subscriberIds", {"robot"}}}}));
-  CHECK(graph["advertisedServices"].size() == 19);
+  CHECK(graph["advertisedServices"].size() == 20);
 }
 
 TEST_CASE("A slow client loses the oldest, is told how many, and keeps the last of what is kept") {
