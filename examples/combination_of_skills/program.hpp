@@ -66,7 +66,7 @@ struct program : cca::robot_program<Watched> {
   }
 
   void stop(controller_type& c) override {
-    c.stop();
+    if (c.state() != cca::state::loaded) c.stop();  // else it has waited for its first beat
     bar.show(1);
     bar.done();
   }

@@ -53,6 +53,7 @@ struct wishes {
   std::vector<std::string> configs;
   std::string record, page, trace;
   std::optional<std::uint16_t> door;
+  bool holds_faults = false;
 
   void offer(cca::command_line& line) {
     line.number("--seconds S", seconds, 0.001, 36000, "how long (5)");
@@ -77,12 +78,15 @@ struct wishes {
                                                          : cca::whole_number_in("--door", text, 0, 65535));
         },
         "lets viewers and cca-top connect while it runs, in a wall-clock run (port 8765)");
+    line.one_of("--on-fault W", holds_faults, std::array{"end", "hold"},
+                "end, or hold: until it is told to resume or to start anew (end)");
   }
   void set(cca::run_settings& s) const {
     s.seconds = seconds;
     s.configs = configs;
     s.record = record, s.page = page, s.trace = trace;
     s.door = door;
+    if (holds_faults) s.on_fault = "hold";
   }
   void refuse_contradictions() const {
     if (role.empty() != names.empty())
@@ -151,6 +155,7 @@ struct in_one_process : cca::robot_program<observed<memory_end>> {
                   far.world().trunk_position()[0]);
     return true;
   }
+  void rests(controller_type&) override { far.pass_millisecond(); }
   void stop(controller_type& c) override {
     const run_end end = run_end::of(c);
     const bool has_fallen = far.world().fallen();

@@ -109,7 +109,7 @@ struct program : cca::robot_program<Watched> {
   }
 
   void stop(controller_type& c) override {
-    c.stop();
+    if (c.state() != cca::state::loaded) c.stop();  // else it has waited for its first beat
     taken = seconds_since(start) - drawn;
     bar.done();
   }

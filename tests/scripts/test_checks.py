@@ -16,6 +16,7 @@ import finite
 import headers_alone
 import includes
 import make_troubleshooting
+import refusals
 import reject
 import rules
 import snippets
@@ -35,6 +36,26 @@ class Tree(unittest.TestCase):
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
         return file
+
+
+class Refusals(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("door/include/cca/door/a.hpp", 'if (x) return fail("no such thing: " + name);\nthrow refused("it is closed");\n')
+        self.write("tests/a.cpp", 'CHECK(why == "no such "\n  "thing: x");\n')
+        self.row = "no such thing: | tests/a.cpp | no such thing: x\n"
+
+    def test_a_refusal_needs_a_line(self):
+        self.write(refusals.TABLE, self.row)
+        self.assertEqual([one for one in refusals.check(self.root)],
+                         [f'door/include/cca/door/a.hpp: "it is closed": write a test of this refusal, and a line for it in {refusals.TABLE}'])
+
+    def test_a_line_needs_a_refusal_and_a_test(self):
+        self.write(refusals.TABLE, self.row + "it is closed | tests/a.cpp | closed\nit is gone | tests/b.cpp | gone\n")
+        self.assertEqual(len(list(refusals.check(self.root))), 3)
+        self.write("tests/a.cpp", "no such thing: x, it is closed")
+        self.write(refusals.TABLE, self.row + "it is closed | tests/a.cpp | it is closed\n")
+        self.assertEqual(list(refusals.check(self.root)), [])
 
 
 class Components(Tree):

@@ -59,10 +59,13 @@ public:
   virtual void prepare(controller_type&) {}
   // The parameters are loaded: change them, put a robot down.
   virtual void loaded(controller_type&) {}
-  // It is started: the first beat comes next.
+  // It is started, also anew: its first beat comes next.
   virtual void started(controller_type&) {}
   // After each beat; false ends the run. What it may touch: docs/environments.md.
   virtual bool between(controller_type&) { return true; }
+  // Once a period in which there is no beat, the robot has idled: before the first one with --paused, and
+  // after a fault with --on-fault hold.
+  virtual void rests(controller_type&) {}
   // However the run has ended, a fault and an exception too. A robot on drives: cca::hardware::shut_down.
   // Another process may have stopped a deployment already.
   virtual void stop(controller_type& c) {

@@ -22,6 +22,7 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/main/counted_pace.hpp>
 #include <cca/main/descriptions.hpp>
+#include <cca/runtime/live/held_run.hpp>
 #include <cca/main/observed_run.hpp>
 #include <cca/runtime/observers/program_door.hpp>
 #include <cca/main/robot_program.hpp>
@@ -37,11 +38,9 @@
 namespace cca::detail {
 
 void refuse_one_file(const run_settings& s);
-// Of a recording to replay.
-void refuse_unfinished_recording(const std::string& file);
+void refuse_unfinished_recording(const std::string& file);  // to replay
 
-// "after 1.234 s"
-std::string text_of_time(std::int64_t nanoseconds);
+std::string text_of_time(std::int64_t nanoseconds);  // "after 1.234 s"
 
 // What a second SIGINT says of a program: `called` is its name, `what` was left behind.
 std::string left_behind(const std::string& called,
@@ -71,24 +70,6 @@ private:
 std::string told_of_fault(std::int64_t period,
                           const fault_of_run& fault,
                           const std::vector<std::string>& waits_for);
-
-// A program without a door.
-template <class Controller>
-struct no_door {
-  bool look(Controller&) const { return true; }
-  bool look_while_paused(Controller&) const { return true; }
-  bool look_at_rest(Controller&) const { return true; }
-  void run_ended(Controller&) const {}
-  bool ends_run() const { return false; }
-};
-template <class Controller>
-struct door_of {
-  using type = no_door<Controller>;
-};
-template <HasDoor Controller>
-struct door_of<Controller> {
-  using type = program_door<Controller>;
-};
 
 template <class Program>
 class robot_run {
@@ -129,10 +110,10 @@ public:
     };
     try {
       if (gives_beat()) typed.emplace(program.control, called, program.settings.commands);
-      if (wait_to_go_on(c, interrupted)) {
-        c.start();
+      if (begins(c, interrupted)) {
         program.started(c);
-        run(c, interrupted);
+        do run(c, interrupted, first);
+        while (begins_anew(c, interrupted, first));
       }
     } catch (const refused&) {
       give_up();
@@ -141,11 +122,13 @@ public:
       give_up();
       throw;
     }
+    program.control.anew.ends();
     const std::vector<std::string> causes = causes_of(c);
     stop(c);  // before anything is written: a robot does not wait for a terminal
     interrupted.leaves_behind(unwritten.c_str());
     const std::vector<std::string> problems = look.close();
-    for (const std::string& cause : causes) tell(cause);
+    if (!is_fault_told)
+      for (const std::string& cause : causes) tell(cause);
     for (const std::string& problem : problems) tell(problem);
     if (!ended_by_others.empty()) tell(ended_by_others);
     if (interrupted) tell("interrupted " + at(c));
@@ -155,7 +138,7 @@ public:
       std::cout << look.summary() << std::flush;
     }
     const int own = program.finish(c);
-    return !causes.empty()                               ? exit_code::fault
+    return has_faulted || !causes.empty()                ? exit_code::fault
            : interrupted                                 ? interrupted.exit_code()
            : !problems.empty() && own == exit_code::done ? exit_code::error
                                                          : own;
@@ -185,18 +168,54 @@ private:
                      [this, &c](std::int64_t overruns) { return figures_of(c, overruns); });
     else throw refused(called + ": this program has no door: see docs/door.md");
   }
-  // With --paused: the robot idles until somebody tells it to go on. False: it was told to end.
-  bool wait_to_go_on(controller_type& c, const interruption& interrupted) {
-    if (!program.settings.paused) return true;
+  // With --paused the robot idles until it is told to go on. False: it was told to end.
+  bool begins(controller_type& c, const interruption& interrupted) {
+    begun_anew& anew = program.control.anew;
+    if (!program.settings.paused) return c.start(), true;
     program.control.pause();
+    if (!program.others.open) anew.is_at(begun_anew::place::waiting);
     tell("waits to be told to go on");
-    while (program.control.is_pause_wanted()) {
-      if (interrupted || (opened && !opened->look_at_rest(c))) return false;
-      c.step();  // it is not started: its robot idles
-      monotonic_clock::sleep_until(monotonic_clock::now() +
-                                   std::max(controller_type::period(), shortest_nap));
+    bool is_told = false;
+    const bool is_started =
+        rests(c, interrupted, [&] { return is_told = !program.control.is_pause_wanted(); });
+    if (is_told) c.start();
+    return is_started || is_told;
+  }
+  // After a run that a fault has ended, or in whose pause somebody has started it anew.
+  bool begins_anew(controller_type& c, const interruption& interrupted, std::int64_t first) {
+    begun_anew& anew = program.control.anew;
+    is_fault_told = false;
+    const bool is_faulted = c.state() == state::faulted, holds = program.settings.on_fault == "hold";
+    has_faulted = has_faulted || is_faulted;
+    if (is_faulted)
+      anew.faults(c.beat_index(), c.fault_path(), std::string(c.fault().reason()),
+                  holds ? begun_anew::place::faulted : begun_anew::place::elsewhere);
+    if (interrupted || (is_faulted ? !holds : !anew.is_wanted_to_start())) return false;
+    if (is_faulted) {
+      for (const std::string& cause : causes_of(c)) tell(cause);
+      is_fault_told = true;
+      tell("holds after the fault: resume it or start it anew; a signal ends it");
     }
-    return true;
+    if (!rests(c, interrupted, [] { return false; })) return false;
+    is_fault_told = false;
+    program.control.hold_for_next_run();
+    if (anew.is_wanted_to_start()) program.started(c);
+    return beats_left(c, first) > 0;
+  }
+  template <class IsTold>
+  bool rests(controller_type& c, const interruption& interrupted, IsTold is_told) {
+    return begins_after_rest(
+        c, program.control,
+        [&](controller_type& at_rest) {
+          return !interrupted && !(opened && !opened->look_at_rest(at_rest)) && !is_told();
+        },
+        [this](controller_type& at_rest) { program.rests(at_rest); });
+  }
+  std::int64_t beats_left(const controller_type& c, std::int64_t first) const {
+    const auto& seconds = program.settings.seconds;
+    if (!seconds) return std::numeric_limits<std::int64_t>::max();
+    const double period = static_cast<double>(controller_type::period());
+    return std::max<std::int64_t>(1, std::llround(*seconds * 1e9 / period)) - (c.beat_index() - first);
   }
 
   // A signal also ends a run that waits for other processes to begin. Where there is a door, each environment
@@ -220,19 +239,19 @@ private:
     }
     bool is_over() const { return signals.is_over(); }
     run_control& control() const { return controlled; }
-    bool while_paused(controller_type& c) const { return (!door || door->look_while_paused(c)) && !signals; }
+    bool while_paused(controller_type& c) const {
+      return (!door || door->look_while_paused(c)) && !signals && !controlled.anew.is_wanted_to_start();
+    }
     void run_ended(controller_type& c) const {
       if (door) door->run_ended(c);
     }
   };
 
-  void run(controller_type& c, const interruption& interrupted) {
+  // `first`: the first beat of the program.
+  void run(controller_type& c, const interruption& interrupted, std::int64_t first) {
     const run_settings& s = program.settings;
-    const for_some_beats length{
-        s.seconds ? std::max<std::int64_t>(
-                        1, std::llround(*s.seconds * 1e9 / static_cast<double>(controller_type::period())))
-                  : std::numeric_limits<std::int64_t>::max()};
-    const std::int64_t first = c.beat_index();
+    const for_some_beats length{beats_left(c, first)};
+    if (!program.others.open) program.control.anew.begins(c.beat_index());
     bool goes_on = true;
     const auto after_beat = [&](controller_type& running) {
       if constexpr (!is_deployed)
@@ -247,7 +266,7 @@ private:
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
     const bool is_over = !goes_on || (opened && opened->ends_run()) || c.state() == state::faulted ||
-                         c.beat_index() - first >= length.count;
+                         program.control.anew.is_wanted_to_start() || beats_left(c, first) <= 0;
     if (!is_over) ended_by_others = "another process has ended the run " + at(c);
   }
 
@@ -308,10 +327,9 @@ private:
 
   Program& program;
   std::string called, ended_by_others{}, unconfirmed{};
-  bool is_to_stop = false;
+  bool is_to_stop = false, has_faulted = false, is_fault_told = false;
   counted_beats beats{};
   std::optional<door_type> opened{};
-  static constexpr std::int64_t shortest_nap = 1'000'000;  // ns
   std::optional<run_commands> typed{};  // its thread ends when all is written: a robot does not wait for it
 };
 

@@ -3,6 +3,8 @@
 //   p, pause    pauses after the beat; the robot goes on getting frames (on_idle)
 //   g, go       goes on
 //   s, step     one beat, in a pause
+//   r, resume   goes on after a fault that is held
+//   start       makes the first beat; begins anew after a fault that is held, and in a pause
 //   0.5, x 0.5  the speed, times the clock
 //
 // They are read where the standard input is a terminal in whose foreground the program is: one that runs in
@@ -29,8 +31,8 @@ public:
   run_commands(const run_commands&) = delete;
   run_commands& operator=(const run_commands&) = delete;
 
-  // False: it is no command. For tests.
-  static bool obey(run_control& control, std::string_view line);
+  // Why not; empty: it is done. For tests.
+  static std::string obey(run_control& control, std::string_view line);
 
 private:
   void read(bool anyway);

@@ -29,23 +29,28 @@ CCA_MAIN_INLINE run_commands::~run_commands() {
   if (reader.joinable()) reader.join();
 }
 
-CCA_MAIN_INLINE bool run_commands::obey(run_control& control, std::string_view line) {
+CCA_MAIN_INLINE std::string run_commands::obey(run_control& control, std::string_view line) {
   while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
   while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-  if (line.empty()) return true;
-  if (line == "p" || line == "pause") return control.pause(), true;
-  if (line == "g" || line == "go") return control.go_on(), true;
+  if (line.empty()) return {};
+  if (line == "p" || line == "pause") return control.pause(), std::string();
+  if (line == "g" || line == "go") return control.go_on(), std::string();
   if (line == "s" || line == "step") {
     if (control.is_paused()) control.step();
     else control.pause();
-    return true;
+    return {};
   }
+  if (line == "r" || line == "resume") return control.anew.ask(begun_anew::wish::resume, control.is_paused());
+  if (line == "start") return control.anew.ask(begun_anew::wish::start, control.is_paused());
+  const std::string unknown = "`" + std::string(line) +
+                              "` is no command: p pauses, g goes on, s makes one beat, r resumes after a "
+                              "fault, start begins anew, a number from 0.001 to 1000 is the speed";
   if (line.starts_with("x ")) line.remove_prefix(2);
   double speed = 0;
   const auto read = std::from_chars(line.data(), line.data() + line.size(), speed);
-  if (read.ec != std::errc{} || read.ptr != line.data() + line.size()) return false;
-  if (!(speed >= 1e-3 && speed <= 1e3)) return false;
-  return control.set_speed(speed), true;
+  if (read.ec != std::errc{} || read.ptr != line.data() + line.size()) return unknown;
+  if (!(speed >= 1e-3 && speed <= 1e3)) return unknown;
+  return control.set_speed(speed), std::string();
 }
 
 CCA_MAIN_INLINE void run_commands::read(bool anyway) {
@@ -67,11 +72,7 @@ CCA_MAIN_INLINE void run_commands::read(bool anyway) {
 }
 
 CCA_MAIN_INLINE void run_commands::take(const std::string& line) {
-  if (!obey(control, line))
-    std::cerr
-        << called + ": `" + line +
-               "` is no command: p pauses, g goes on, s makes one beat, a number from 0.001 to 1000 is the "
-               "speed\n";
+  if (const std::string why = obey(control, line); !why.empty()) std::cerr << called + ": " + why + '\n';
 }
 
 }  // namespace cca::detail

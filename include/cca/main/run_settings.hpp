@@ -28,6 +28,7 @@ struct run_settings {
   std::string door_token{};                  // a file with what a client must know to change anything
   std::string twin{};                        // its controller as WebAssembly, for the page of the door
   std::string on_lost = "go-on";             // what the run does when who commands is gone: go-on, hold, stop
+  std::string on_fault = "end";              // what the program does at a fault: end, hold
   bool paused = false;                       // waits for `go on` before its first beat
   std::map<std::string, std::string> notes{};  // for the recording: a seed, a version
 };

@@ -119,7 +119,7 @@ inline std::string why_not_in_replay(std::string_view option) {
   if (option == "--config") return "a replay takes the parameters from the recording";
   if (option == "--seconds") return "a replay is as long as the recording";
   if (option == "--pace" || option == "--commands" || option == "--paused" || option.starts_with("--door") ||
-      option == "--twin" || option == "--on-lost")
+      option == "--twin" || option == "--on-lost" || option == "--on-fault")
     return "a replay is always a fast run without a pause";
   if (option == "--only" || option == "--shared-memory")
     return "a replay computes all environments in one loop";
@@ -148,6 +148,16 @@ CCA_MAIN_INLINE void offer_commands(command_line& line, run_settings& s) {
               "terminal");
   if (!line.has("--paused"))
     line.flag("--paused", s.paused, "waits before its first beat until it is told to go on");
+  if (!line.has("--on-fault"))
+    line.text(
+        "--on-fault WHAT",
+        [&s](const std::string& text) {
+          if (text != "end" && text != "hold")
+            throw command_line_error("--on-fault " + text + ": expected end or hold");
+          s.on_fault = text;
+        },
+        "what the program does at a fault: end, or hold until it is told to resume or to start anew (" +
+            s.on_fault + ")");
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
 
@@ -198,6 +208,8 @@ CCA_MAIN_INLINE void refuse_contradictions(const command_line& line,
     throw command_line_error(
         "--only " + joined_words(s.only, ",") +
         ": say how it reaches the other environments: " + joined_words(others.offered, " or "));
+  if (others.is_open && s.on_fault == "hold")
+    throw command_line_error("--on-fault hold: a fault of several processes ends them all: start them again");
   const bool runs_first = s.only.empty() || std::ranges::find(s.only, environments.front()) != s.only.end();
   if (line.is_given("--pace") && !runs_first)
     throw command_line_error("--pace: `" + environments.front() +

@@ -11,6 +11,7 @@
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
+#include <cca/runtime/observers/begun_anew.hpp>
 #include <cca/runtime/observers/loop_observers.hpp>
 #include <cca/runtime/pace.hpp>
 
@@ -86,6 +87,7 @@ public:
   // Times the clock.
   void set_speed(double factor) noexcept {
     speed.store(factor, std::memory_order_relaxed);
+    is_speed_set.store(true, std::memory_order_relaxed);
     has_speed.store(true, std::memory_order_release), note();
   }
   bool is_pause_wanted() const noexcept { return is_wanted.load(std::memory_order_acquire); }
@@ -134,6 +136,14 @@ public:
 
   // The run is over. A pause that is wanted holds for the next one.
   void end_run() noexcept { holds.store(false, std::memory_order_release); }
+  // Before a run that goes on where another one has ended: after its first beat it looks at what still holds,
+  // the pause and the speed.
+  void hold_for_next_run() noexcept {
+    has_speed.store(is_speed_set.load(std::memory_order_relaxed), std::memory_order_release);
+    note();
+  }
+
+  begun_anew anew{};  // after a fault or a pause
 
 private:
   static constexpr std::int64_t shortest = 100'000;  // ns
@@ -141,7 +151,8 @@ private:
   // Exchanged on both sides: the loop that takes the news sees what each of two threads had stored before.
   void note() noexcept { (void)news.exchange(true, std::memory_order_acq_rel); }
 
-  std::atomic<bool> news{false}, is_wanted{false}, holds{false}, has_speed{false}, refuses_speed{false};
+  std::atomic<bool> news{false}, is_wanted{false}, holds{false}, has_speed{false}, is_speed_set{false},
+      refuses_speed{false};
   std::atomic<int> steps{0};
   std::atomic<double> speed{1};
 };

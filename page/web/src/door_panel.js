@@ -52,6 +52,7 @@ export class DoorPanel {
     $('door-step').addEventListener('click', () => this.step());
     $('door-speed').addEventListener('change', () => this.ask(`speed ${$('door-speed').selectedOptions[0].textContent}`, 'speed', { factor: Number($('door-speed').value) }).then(() => this.status()));
     $('door-resume').addEventListener('click', () => this.ask('goes on after the fault', 'resume'));
+    $('door-start').addEventListener('click', () => this.ask('it is started', 'start'));
     $('record').addEventListener('click', () => {
       const { recording } = door.door;
       if (recording) this.ask(`recorded: ${recording}`, 'end_recording');
@@ -127,10 +128,15 @@ export class DoorPanel {
     for (const one of $('parameters').querySelectorAll('input, select')) one.disabled = !may;
   }
   status() {
-    const { is_paused: isPaused, speed, mode, stopped_parts: stopped, recording, environments, state } = this.door.door;
+    const { is_paused: isPaused, speed, mode, causes = [], stopped_parts: stopped, recording, environments, state } = this.door.door;
     const set = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
     set('door-play', isPaused ? '▶ Go on' : '❚❚ Pause');
-    $('door-resume').hidden = state !== 'faulted';
+    const rests = state === 'loaded', isFaulted = state === 'faulted';
+    $('door-resume').hidden = !isFaulted;
+    $('door-start').hidden = !(isFaulted || rests || isPaused);
+    set('door-start', rests ? 'start' : 'start anew');
+    $('door-play').hidden = $('door-step').parentElement.hidden = isFaulted || rests;
+    this.causes = causes;
     if (document.activeElement !== $('door-speed')) {
       const text = String(speed);
       if (![...$('door-speed').options].some((o) => o.value === text)) $('door-speed').append(new Option(text, text));

@@ -123,7 +123,7 @@ function show(now) {
     if (position) ['x', 'y', 'z'].forEach((axis, i) => set(axis, position[i].toFixed(4)));
     showForce();
   }
-  set('alert', source.isDoor && panel.complaint ? panel.complaint : state === 'faulted' ? `⚠ fault in ${faultPath || 'the loop'}: ${fault}` : source.fallen ? '⚠ the robot has fallen' : '');
+  set('alert', source.isDoor && panel.complaint ? panel.complaint : state === 'faulted' ? `⚠ fault in ${faultPath || 'the loop'}: ${fault}${source.isDoor && panel.causes?.length > 1 ? `. First: ${panel.causes[0]}` : ''}` : source.isDoor && source.door.is_paused && panel.causes?.length ? `⚠ ${panel.causes[0]}` : source.fallen ? '⚠ the robot has fallen' : '');
   if (source.isLive) {
     for (const button of document.querySelectorAll('[data-change]')) button.disabled = !allowed[button.dataset.change].includes(state);
     for (const id of ['play', 'step', 'run-ahead']) $(id).disabled = !source.runs;

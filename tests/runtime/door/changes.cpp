@@ -118,6 +118,7 @@ TEST_CASE("Every service asks for what its name says") {
   CHECK(asks("/cca/speed", {{"factor", 0.5}}, about::speed).number == 0.5);
   CHECK(asks("/cca/speed", {{"factor", 0}}, about::speed).number == 0);
   asks("/cca/resume", json::object(), about::resume);
+  asks("/cca/start", json::object(), about::start);
   CHECK(asks("/cca/stop_part", {{"part", "arm"}}, about::stop_part).text == "arm");
   CHECK(asks("/cca/start_part", {{"part", "arm"}}, about::start_part).text == "arm");
   CHECK(asks("/cca/switch_mode", {{"mode", "walk"}}, about::switch_mode).text == "walk");

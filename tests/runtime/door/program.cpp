@@ -14,10 +14,13 @@
 #include "../programs/child.hpp"
 #include "../record/graphs.hpp"
 #include "client.hpp"
+#include "where_in.hpp"
 
 using namespace record_test;
 using door_test::client;
 using door_test::json;
+using door_test::where;
+using door_test::where_in;
 using programs_test::child;
 
 namespace {
@@ -42,22 +45,6 @@ struct program : cca::robot_program<Architecture> {
     std::fflush(stdout);
   }
 };
-
-struct where {
-  std::uint16_t port = 0;
-  std::string token{};
-};
-// "door: ws://127.0.0.1:9100, token 0123..."
-where where_in(const std::string& said) {
-  where found;
-  const auto address = said.find("127.0.0.1:");
-  const auto token = said.find("token ");
-  REQUIRE(address != said.npos);
-  REQUIRE(token != said.npos);
-  found.port = static_cast<std::uint16_t>(std::stoi(said.substr(address + 10)));
-  found.token = said.substr(token + 6, 32);
-  return found;
-}
 
 }  // namespace
 

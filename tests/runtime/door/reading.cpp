@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include <cca/door/network/outbox.hpp>
+
 #include "opened.hpp"
 
 using namespace door_test;
@@ -309,6 +311,18 @@ TEST_CASE("Parameters that can't be read are refused after a while") {
   CHECK(c.next("parameterValues")["parameters"].size() == 5);
 }
 
+TEST_CASE("Of what clients ask for and can't have yet there is an end") {
+  opened one({}, {.subscriptions = 3, .requests = 2});
+  one.controls.answers(fake_controls::how::busy);
+  client c(one.port());
+  for (int i = 0; i < 3; ++i) c.text({{"op", "getParameters"}});
+  CHECK(c.is_told("too many clients ask for parameters"));
+  one.controls.answers(fake_controls::how::done);
+  CHECK(c.next("parameterValues")["parameters"].size() == 5);
+  c.text({{"op", "subscribeParameterUpdates"}, {"parameterNames", {"a", "b", "c", "d"}}});
+  CHECK(c.is_told("subscribeParameterUpdates: at most 3"));
+}
+
 TEST_CASE("The program describes itself") {
   opened one;
   one.door.sink().metadata("cca.architecture", {{"name", "fake"}});
@@ -342,7 +356,7 @@ TEST_CASE("The graph is told") {
   const json graph = c.next("connectionGraphUpdate");
   CHECK(graph["publishedTopics"] == json::array({{{"name", "/gait/angles"}, {"publisherIds", {"gait"}}}}));
   CHECK(graph["subscribedTopics"] == json::array({{{"name", "/gait/angles"}, {"subscriberIds", {"robot"}}}}));
-  CHECK(graph["advertisedServices"].size() == 19);
+  CHECK(graph["advertisedServices"].size() == 20);
 }
 
 TEST_CASE("A slow client loses the oldest, is told how many, and keeps the last of what is kept") {
@@ -383,6 +397,24 @@ TEST_CASE("A slow client loses the oldest, is told how many, and keeps the last 
     }
   CHECK(last == 1999);  // the newest came
   CHECK_FALSE(quick.is_told("slow", 10ms));
+}
+
+TEST_CASE("What a client that was slow has needed is given back when it has read it") {
+  const cca::detail::door_limits limits;
+  cca::detail::door_network::outbox out(limits);
+  const std::string data(120, 'x');
+  std::string to;
+  for (int burst = 0; burst < 3; ++burst) {
+    for (int i = 0; i < 10'000; ++i) out.sample([](std::uint16_t) { return false; }, 1, 1, 1, data);
+    CHECK(out.holds() > 1'000'000);
+    std::size_t read = 0;
+    while (out.take(to)) read += to.size();
+    CHECK(read > 1'000'000);
+    CHECK(out.holds() < 300'000);
+    CHECK(out.answer(cca::detail::door_network::frame_kind::text, std::string(1'000'000, 'y')));
+    while (out.take(to)) {}
+    CHECK(to.capacity() < 300'000);
+  }
 }
 
 TEST_CASE("What the recording's thread hands over is bounded, and what is lost is told") {

@@ -53,9 +53,9 @@ TEST_CASE("Reading is free, and nothing changes without the token") {
   CHECK(c.call("/cca/take_command").find("this needs the token") == 0);
   CHECK(c.call("/cca/give_command").find("this needs the token") == 0);
   for (const auto& service :
-       {"/cca/pause", "/cca/go_on", "/cca/step", "/cca/speed", "/cca/stop", "/cca/resume", "/cca/stop_part",
-        "/cca/start_part", "/cca/switch_mode", "/cca/load", "/cca/save", "/cca/record", "/cca/end_recording",
-        "/cca/undo", "/cca/command/push", "/cca/release/push", "/cca/command/wave"})
+       {"/cca/pause", "/cca/go_on", "/cca/step", "/cca/speed", "/cca/stop", "/cca/resume", "/cca/start",
+        "/cca/stop_part", "/cca/start_part", "/cca/switch_mode", "/cca/load", "/cca/save", "/cca/record",
+        "/cca/end_recording", "/cca/undo", "/cca/command/push", "/cca/release/push", "/cca/command/wave"})
     CHECK(c.call(service).find("this needs the token") == 0);
   c.set("gait.frequency", 2);
   CHECK(c.is_told("setParameters: this needs the token"));
@@ -69,7 +69,7 @@ TEST_CASE("With the token alone only the emergency stop is done") {
   client c(one.port(), token);
   CHECK(next_rights(c) == rights(true, false));
   for (const auto& service :
-       {"/cca/pause", "/cca/go_on", "/cca/step", "/cca/speed", "/cca/resume", "/cca/stop_part",
+       {"/cca/pause", "/cca/go_on", "/cca/step", "/cca/speed", "/cca/resume", "/cca/start", "/cca/stop_part",
         "/cca/start_part", "/cca/switch_mode", "/cca/load", "/cca/save", "/cca/record", "/cca/end_recording",
         "/cca/undo", "/cca/command/push", "/cca/release/push", "/cca/command/wave"})
     CHECK(c.call(service) == "this needs the right to command: call /cca/take_command");

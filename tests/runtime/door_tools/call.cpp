@@ -111,6 +111,8 @@ TEST_CASE("what is a call of a service does what its name says") {
   CHECK_EQ(last().about, about::end_recording);
   CHECK_EQ(call(p.address(), {"resume"}).code, 0);
   CHECK_EQ(last().about, about::resume);
+  CHECK_EQ(call(p.address(), {"start"}).code, 0);
+  CHECK_EQ(last().about, about::start);
   CHECK_EQ(call(p.address(), {"stop"}).code, 0);
   CHECK_EQ(last().about, about::end_run);
   const ran outside = call(p.address(), {"load", "/etc/x.toml"});

@@ -101,8 +101,14 @@ TEST_SUITE("typed commands") {
     const auto obey = [&](const char* line) { return cca::detail::run_commands::obey(control, line); };
     for (const char* line :
          {"p", "pause", " g ", "go", "s", "step", "", "x 0.5", "2", "0.001", "1000", "p\r"})
-      CHECK(obey(line));
+      CHECK(obey(line) == "");
     for (const char* line : {"stop", "0", "-1", "1001", "x", "x fast", "0.5x", "nan", "pp"})
-      CHECK_FALSE(obey(line));
+      CHECK(obey(line).find("is no command") != std::string::npos);
+    for (const char* line : {"r", "resume", "start"})  // nobody would do it
+      CHECK(obey(line).find("--on-fault hold") != std::string::npos);
+    control.anew.is_at(cca::detail::begun_anew::place::waiting);
+    CHECK(obey("resume").find("`start` makes the first beat") != std::string::npos);
+    CHECK(obey("start") == "");
+    CHECK(obey("start").find("has not been done yet") != std::string::npos);
   }
 }

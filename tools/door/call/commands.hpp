@@ -241,12 +241,12 @@ inline std::pair<std::string, json> service_of(const call_options& o) {
     return {"/cca/step", {{"beats", w.empty() ? 1 : cca::whole_number_in("step", w[0], 1, 1'000'000)}}};
   if (c == "speed") return {"/cca/speed", {{"factor", cca::number_in("speed", w[0], 0, 1000)}}};
   if (c == "mode") return {"/cca/switch_mode", {{"mode", word(0)}}};
-  if (c == "start") return {"/cca/start_part", {{"part", word(0)}}};
+  if (c == "start" && !w.empty()) return {"/cca/start_part", {{"part", word(0)}}};
   if (c == "stop" && !w.empty()) return {"/cca/stop_part", {{"part", word(0)}}};
   if (c == "end-recording") return {"/cca/end_recording", json::object()};
   if (c == "release") return {"/cca/release/" + word(0), json::object()};
   if (c == "load" || c == "save" || c == "record") return {"/cca/" + c, file()};
-  return {"/cca/" + c, json::object()};  // pause, resume, undo, stop
+  return {"/cca/" + c, json::object()};  // pause, resume, undo, start, stop
 }
 
 inline int run_call(call_options& o, std::ostream& out, std::ostream& error) {

@@ -375,7 +375,9 @@ private:
     if (view.types == top_view::typing::filter) return add("enter", "keep"), add("esc", "show all");
     if (model.has_token) {
       add("c", model.door.commands ? "give it back" : "command");
-      add("p", "pause"), add("g", "go on"), add("n", "step");
+      if (text_in(model.status, "state") == "faulted") add("r", "resume"), add("s", "start anew");
+      else if (text_in(model.status, "state") == "loaded") add("s", "start");
+      else add("p", "pause"), add("g", "go on"), add("n", "step");
       if (view.at == page::parameters) add("enter", "set"), add("u", "undo");
     }
     add("/", "find"), add("q", "quit");

@@ -181,6 +181,12 @@ inline bool press(const key& one, top_model& model, top_view& view) {
         case 'g':
           ask("/cca/go_on", "it goes on");
           break;
+        case 'r':
+          ask("/cca/resume", "it goes on after the fault");
+          break;
+        case 's':
+          ask("/cca/start", "it begins anew");
+          break;
         case 'n':
           ask("/cca/step", "one beat", {{"beats", 1}});
           break;

@@ -66,6 +66,9 @@ struct door_status {
   std::string mode{}, fault{}, fault_path{};  // empty: none
   std::string recording{};                    // the file; empty: none
   std::vector<std::string> stopped_parts{};
+  // Where there is no beat, after a fault or in a pause: what components say has stopped the robot, the first
+  // cause first.
+  std::vector<std::string> causes{};
 };
 
 // What never changes.
@@ -92,6 +95,7 @@ struct door_request {
     speed,
     end_run,
     resume,
+    start,
     record,
     end_recording,
     call,

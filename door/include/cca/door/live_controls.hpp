@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@
 #include <cca/graph/items/modes.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
 #include <cca/main/descriptions.hpp>
+#include <cca/main/end_of_run.hpp>
 #include <cca/runtime/observers/run_command.hpp>
 #include <cca/record/messages/architecture_text.hpp>
 #include <cca/record/recorder.hpp>
@@ -80,6 +82,11 @@ public:
     now.speed = control.has_refused_speed() ? 0 : speed;
     if constexpr (Modes<graph>) now.mode = live.mode();
     if (const fault why = live.fault()) now.fault = why.reason();
+    {
+      const std::scoped_lock lock(guard);
+      if (!now.fault.empty()) now.fault_path = path_of_fault;
+      if (live.beat_index() == told_at) now.causes = causes;
+    }
     now.recording = recorded.recorded_into();
     return now;
   }
@@ -119,10 +126,20 @@ public:
   }
 
   door_outcome outcome() override {
+    const bool has_looked = !wanted[array_size(the_run)].load(std::memory_order_acquire);
     want_a_look();
+    if (begun == about::anew) {
+      const std::int64_t k = live.beat_index();
+      const auto went = control.anew.how_it_went(k, live.state() == state::faulted);
+      using is = begun_anew::answer::kind;
+      return went.is == is::nothing   ? door_outcome{door_outcome::how::begun, {}}
+             : went.is == is::refused ? door_outcome{door_outcome::how::refused, went.why}
+                                      : door_outcome{};
+    }
     const bool has_effect = begun == about::command ? commands.is_taken()
-                            : begun == about::pause ? control.is_paused() || live.state() != state::running
-                                                    : live.is_taken();
+                            : begun == about::pause
+                                ? control.is_paused() || (has_looked && live.state() != state::running)
+                                : live.is_taken();
     if (!has_effect) return {door_outcome::how::begun, {}};
     if (begun != about::request) return {};
     if (const std::string by = live.refused_by(); !by.empty())
@@ -154,6 +171,14 @@ public:
       c.for_each_component([]<class Component>(std::string_view, Component& component) {
         if constexpr (TestNode<Component>) component.end_test();
       });
+  }
+  // Where there is no beat: what has stopped it, once for each beat.
+  void tell_causes(const Controller& c) {
+    if (c.beat_index() == told_of && c.state() == told_in) return;
+    told_of = c.beat_index(), told_in = c.state();
+    std::vector<std::string> now = causes_of(c);
+    const std::scoped_lock lock(guard);
+    causes = std::move(now), path_of_fault = c.fault_path(), told_at = told_of;
   }
 
 private:
@@ -209,11 +234,20 @@ private:
         begun = about::pause;
         return {door_outcome::how::begun, {}};
       case what::resume:
-        return {door_outcome::how::refused, "a fault ends the run of this program: start it again"};
+        return begin_anew(begun_anew::wish::resume);
+      case what::start:
+        return begin_anew(begun_anew::wish::start);
       default:
         command_run(request);
         return {};
     }
+  }
+  door_outcome begin_anew(begun_anew::wish wish) {
+    if (control.anew.is_wanted()) return {door_outcome::how::busy, {}};
+    if (std::string why = control.anew.ask(wish, control.is_paused()); !why.empty())
+      return {door_outcome::how::refused, std::move(why)};
+    begun = about::anew;
+    return {door_outcome::how::begun, {}};
   }
   door_outcome call(const door_request& request) {
     if (!commands.is_taken()) return {door_outcome::how::busy, {}};
@@ -224,8 +258,12 @@ private:
   void command_run(const door_request& request) {
     switch (request.about) {
       case what::go_on:
+        if (control.anew.holds_fault())
+          throw refused("go_on: a fault has stopped it: `resume` goes on, `start` begins anew");
         return control.go_on();
       case what::step:
+        if (control.anew.holds_fault())
+          throw refused("step: a fault has stopped it: `resume` goes on, in a pause by one beat");
         if (!control.is_paused()) throw refused("step: the run is not paused: pause it first");
         if (!(request.number >= 1 && request.number <= 1e6))
           throw refused("step: expected a number of beats from 1 to 1000000");
@@ -255,7 +293,13 @@ private:
   door_description told;
   double speed;  // as it was set here
   mutable std::array<std::atomic<bool>, array_size(the_run + 1)> wanted{};
-  enum class about { request, command, pause } begun = about::request;  // what `outcome` tells of
+  enum class about { request, command, pause, anew } begun = about::request;  // what `outcome` tells of
+  mutable std::mutex guard{};  // of what the resting loop tells
+  std::vector<std::string> causes{};
+  std::string path_of_fault{};
+  std::int64_t told_at = -1;  // the beat of the causes
+  std::int64_t told_of = -1;  // the loop's
+  state told_in{};
 };
 
 }  // namespace cca::detail

@@ -27,6 +27,7 @@
 #include <cca/door/live_controls.hpp>
 #include <cca/door/server.hpp>
 #include <cca/door/settings.hpp>
+#include <cca/runtime/live/held_run.hpp>
 #include <cca/runtime/observers/run_command.hpp>
 #include <cca/record/recorder.hpp>
 #include <cca/runtime/live/live_access.hpp>
@@ -67,6 +68,7 @@ public:
   // False: the run is to end.
   bool look(Controller& c) { return !controls.is_wanted(controls.the_run) || look_now(c); }
   bool look_now(Controller& c) {
+    (void)controls.is_wanted(controls.the_run);  // it looks
     controls.obey(c);
     if constexpr (requires { live(c); }) return live(c);
     else return live.goes_on(c);
@@ -75,8 +77,14 @@ public:
   void after_beat(Controller& c) {
     if (controls.is_wanted(Environment)) live.template after_beat<Environment>(c);
   }
+  // In a pause of one loop, what has stopped the robot is told; other environments may be in a beat.
+  bool look_while_paused(Controller& c) {
+    if constexpr (!is_of_environments) controls.tell_causes(c);
+    return look_now(c);
+  }
   // Where no loop runs.
   bool look_at_rest(Controller& c) {
+    controls.tell_causes(c);
     if constexpr (is_of_environments)
       c.for_each_tap([&]<int Environment>(auto&) { live.template after_beat<Environment>(c); });
     return look_now(c);
@@ -84,6 +92,7 @@ public:
   void run_ended(Controller& c) {
     if constexpr (requires { live.after_last_beat(c); }) live.after_last_beat(c);
     controls.end(c);
+    controls.tell_causes(c);
     live.run_ended(c);
   }
 
@@ -121,6 +130,30 @@ public:
   // Into a file from now on; docs/recordings.md.
   void record(const std::string& file) { recorded.begin_file(file); }
 
+  // Runs `c` with this door, for a time, at a pace; and again, as long as time is left, where a client
+  // resumes it after a fault, or starts it anew after a fault or in a pause. While a fault is held the robot
+  // idles. The state at the end: `faulted` where the run was stopped while a fault was held.
+  template <class Duration, class Pace = as_fast_as_possible>
+  cca::state run(Controller& c, Duration duration, Pace pace = {}) {
+    detail::run_control& all = control();
+    const detail::at_the_end no_more{[&all] { all.anew.ends(); }};
+    for (std::int64_t left = duration.beats(Controller::period()); left > 0;) {
+      const std::int64_t first = c.beat_index();
+      all.anew.begins(first);
+      c.run(for_some_beats{left}, pace, *this);
+      left -= c.beat_index() - first;
+      if (c.state() == state::faulted)
+        all.anew.faults(c.beat_index(), c.fault_path(), std::string(c.fault().reason()),
+                        detail::begun_anew::place::faulted);
+      else if (!all.anew.is_wanted_to_start()) break;
+      if (!detail::begins_after_rest(
+              c, all, [this](Controller& rests) { return on.look_at_rest(rests); }, [](Controller&) {}))
+        break;
+      all.hold_for_next_run();
+    }
+    return c.state();
+  }
+
   // ---- the loop's: give the door to `run` as it is ----
 
   bool operator()(Controller& c)
@@ -140,7 +173,7 @@ public:
     on.template after_beat<Environment>(c);
   }
   detail::run_control& control() { return on.live.control(); }
-  bool while_paused(Controller& c) { return on.look_now(c); }
+  bool while_paused(Controller& c) { return on.look_while_paused(c) && !control().anew.is_wanted_to_start(); }
   void run_ended(Controller& c) { on.run_ended(c); }
 
 private:

@@ -46,7 +46,7 @@ struct program_door<Host<Graph>> {
   {
     on.template after_beat<Environment>(c);
   }
-  bool look_while_paused(controller& c) { return on.look_now(c); }
+  bool look_while_paused(controller& c) { return on.look_while_paused(c); }
   bool look_at_rest(controller& c) { return on.look_at_rest(c); }
   void run_ended(controller& c) { on.run_ended(c); }
   bool ends_run() const { return on.live.is_ending(); }

@@ -92,6 +92,7 @@ public:
   // The thread of the door.
   void take(batch& to) {
     to.channels.clear(), to.notes.clear(), to.bytes.clear(), to.lost = 0;
+    if (to.bytes.capacity() > (1u << 20)) std::string().swap(to.bytes);  // of a door that was held up
     is_called.store(false);
     const std::scoped_lock lock(guard);
     std::swap(to, waiting);

@@ -146,6 +146,7 @@ inline std::string status_sample(const door_status& now,
                   {"fault_path", now.fault_path},
                   {"recording", now.recording},
                   {"stopped_parts", now.stopped_parts},
+                  {"causes", now.causes},
                   {"environments", std::move(all)},
                   {"commandedBy", commander.empty() ? json(nullptr) : json(commander)},
                   {"clients", clients}});
@@ -174,6 +175,7 @@ inline std::string status_schema() {
          {"fault_path", text},
          {"recording", text},
          {"stopped_parts", {{"type", "array"}, {"items", text}}},
+         {"causes", {{"type", "array"}, {"items", text}}},
          {"environments", {{"type", "array"}, {"items", {{"type", "object"}, {"properties", environment}}}}},
          {"commandedBy", text},
          {"clients", whole}}}});

@@ -70,6 +70,7 @@ public:
 
   // The next bytes, in whole frames: answers first, then the time, then about 64 KiB of samples.
   bool take(std::string& to) {
+    give_back(to);
     to.clear();
     if (!answers.empty()) {
       std::swap(to, answers);
@@ -96,6 +97,8 @@ public:
     return !to.empty();
   }
   void take_answers(std::string& to) { to = std::exchange(answers, {}); }
+  // For tests: bytes of memory for samples, waiting or not.
+  std::size_t holds() const { return samples.capacity(); }
   bool has_room() const { return samples.size() - sent < limits.waiting_bytes / 2; }
 
   std::uint64_t lost = 0;
@@ -114,16 +117,22 @@ private:
   std::size_t sent = 0;  // the bytes of `samples` before that are gone
   std::optional<std::uint64_t> now{};
 
+  // What a client that was slow for a moment has needed. An assignment would keep it.
+  static void give_back(std::string& bytes) {
+    if (bytes.capacity() > (256u << 10)) std::string().swap(bytes);
+  }
+
   void drop_first() {
     sent += each.front().size;
     each.pop_front();
     tidy();
   }
   void tidy() {
-    if (sent * 2 > samples.size() + 4096) {
+    if (sent == samples.size() || sent * 2 > samples.size() + 4096) {
       samples.erase(0, sent);
       sent = 0;
     }
+    if (samples.empty()) give_back(samples);
   }
 };
 

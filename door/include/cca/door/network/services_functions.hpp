@@ -46,6 +46,7 @@ inline std::vector<door_service> services_of(const door_description& of) {
                                 {does::request, "/cca/speed", about::speed, {{"factor", "", 1, 0, 1000}}},
                                 {does::request, "/cca/stop", about::end_run},
                                 {does::request, "/cca/resume", about::resume},
+                                {does::request, "/cca/start", about::start},
                                 {does::request, "/cca/stop_part", about::stop_part, {}, {"part"}},
                                 {does::request, "/cca/start_part", about::start_part, {}, {"part"}},
                                 {does::request, "/cca/switch_mode", about::switch_mode, {}, {"mode"}},
