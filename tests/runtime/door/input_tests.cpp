@@ -252,3 +252,38 @@ TEST_CASE("input tests: a recording of one, also of one that was ended, replays 
   CHECK(result);
   CHECK(result.beats == 2600);
 }
+
+TEST_CASE("input tests: without a whole record there is no answer, and the reason is told") {
+  namespace network = cca::detail::door_network;
+  network::wanted_channels wanted;
+  network::shown_channels channels(wanted);
+  channels.add({.id = 1, .topic = "/drive/angle", .type = "cca.angle", .schema = "{}"});
+  const std::vector<cca::detail::door_test_input> inputs{
+      {.input = "servo.reference", .node = "test_servo_reference", .axes = {"axis"}, .most = 0.2}};
+  network::input_test test;
+  const json asked = with(chirp(1), "to", 10);
+  CHECK(test.read(asked, inputs, channels) == "the run has not begun");
+  channels.add(
+      {.id = 2, .topic = "/test_servo_reference/excitation", .type = "cca.excitation", .schema = "{}"});
+  REQUIRE(test.read(asked, inputs, channels) == "");
+  cca::detail::door_request request;
+  CHECK(test.fill({}, request) == "the run has not begun");
+
+  constexpr std::uint64_t over = 5'000'000'000;
+  const auto why = [&] {
+    std::string said;
+    CHECK_FALSE(test.response(over, said).has_value());
+    return said;
+  };
+  CHECK(why() == "no test has run: call /cca/test");
+  const auto begin = [&] {
+    test.begin(1, 1'000'000, channels);
+    test.begun(0);
+  };
+  begin();
+  CHECK(why() == "the test has too few samples: was the run paused, or stopped?");
+  test.end(channels);
+  begin();
+  test.lost(3);
+  CHECK(why() == "3 samples of the test were lost: run slower, or record it to a file");
+}

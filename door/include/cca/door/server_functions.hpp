@@ -34,7 +34,6 @@ struct door_server::inside {
   using error = door_network::error;
   using tcp = door_network::tcp;
   using time_point = door_network::time_point;
-
   using connection = door_network::connection;
   using shared = std::shared_ptr<connection>;
 
@@ -333,11 +332,9 @@ CCA_DOOR_INLINE recording::message_sink& door_server::sink() { return in->box; }
 CCA_DOOR_INLINE std::uint16_t door_server::port() const { return in->port; }
 CCA_DOOR_INLINE std::string door_server::token() const { return in->token; }
 CCA_DOOR_INLINE std::string door_server::one_time_url() const {
-  const std::string& address = in->settings.address;
-  const std::string host = address == "0.0.0.0" || address == "::"  ? "127.0.0.1"
-                           : address.find(':') != std::string::npos ? "[" + address + "]"
-                                                                    : address;
-  return "ws://" + host + ":" + std::to_string(in->port) + "/?once=" + in->keys.make();
+  door_network::tcp::endpoint seen(boost::asio::ip::make_address(in->settings.address), in->port);
+  if (seen.address().is_unspecified()) seen.address(boost::asio::ip::address_v4::loopback());
+  return "ws://" + door_network::text_of(seen) + "/?once=" + in->keys.make();
 }
 
 }  // namespace cca::detail

@@ -201,8 +201,8 @@ public:
 private:
   using vector = typename Space::vector_type;
 
-  [[gnu::noinline, gnu::cold]] std::tuple<out<"output", Space>, maybe<"excitation", Space>> tested(
-      vector value, std::int64_t now) {
+  [[gnu::noinline]] std::tuple<out<"output", Space>, maybe<"excitation", Space>> tested(vector value,
+                                                                                        std::int64_t now) {
     if (begun != p.run) begun = p.run, since = now;
     const std::int64_t nanoseconds = now - since;
     const double t = 1e-9 * static_cast<double>(nanoseconds);
