@@ -9,6 +9,7 @@
 #include <thread>
 
 #include <cca/door.hpp>
+#include <cca/door/network/input_tests_functions.hpp>
 #include <cca/record.hpp>
 
 #include "../../../examples/tuning/axis.hpp"

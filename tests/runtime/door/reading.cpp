@@ -401,7 +401,7 @@ TEST_CASE("A slow client loses the oldest, is told how many, and keeps the last 
 
 TEST_CASE("What a client that was slow has needed is given back when it has read it") {
   const cca::detail::door_limits limits;
-  cca::detail::door_network::outbox out(limits);
+  cca::detail::door_network::outbox out(limits, false);
   const std::string data(120, 'x');
   std::string to;
   for (int burst = 0; burst < 3; ++burst) {

@@ -52,17 +52,17 @@ struct no_tested_space : space<number, axes<refused_test_axis>> {};
 // ---- the space of the input ----
 
 template <class Parameter>
-struct input_space {
+struct input_named {
   static constexpr std::string_view name{};
   using type = void;
 };
 template <fixed_string Name, class Space>
-struct input_space<in<Name, Space>> {
+struct input_named<in<Name, Space>> {
   static constexpr std::string_view name = Name.view();
   using type = Space;
 };
 template <fixed_string Name, class Space>
-struct input_space<optional_in<Name, Space>> : input_space<in<Name, Space>> {};
+struct input_named<optional_in<Name, Space>> : input_named<in<Name, Space>> {};
 
 template <fixed_string Port, class Parameters>
 struct space_of_tested;
@@ -72,8 +72,8 @@ struct space_of_tested<Port, list<>> {
 };
 template <fixed_string Port, class First, class... Rest>
 struct space_of_tested<Port, list<First, Rest...>>
-    : std::conditional_t<input_space<First>::name == Port.view(),
-                         input_space<First>,
+    : std::conditional_t<input_named<First>::name == Port.view(),
+                         input_named<First>,
                          space_of_tested<Port, list<Rest...>>> {};
 
 template <class Component, fixed_string Port>
