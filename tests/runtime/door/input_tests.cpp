@@ -12,41 +12,16 @@
 #include <cca/door/network/input_tests_functions.hpp>
 #include <cca/record.hpp>
 
-#include "../../../examples/tuning/axis.hpp"
 #include "../../laws/temporary_file.hpp"
 #include "client.hpp"
+#include "tuned_axis.hpp"
 
 using door_test::client;
 using door_test::json;
+using door_test::tuned_axis;
+using controller = tuned_axis::controller;
 
 namespace {
-
-using controller = cca::controller<tuning::axis>;
-
-struct running {
-  running() : door(started(), {.port = 0, .tells_where = false}) {
-    loop = std::thread([this] { c.run(cca::without_end{}, cca::at_speed(10), door); });
-  }
-  ~running() { end(); }
-  void end() {
-    if (!loop.joinable()) return;
-    client last(door.port(), door.token());
-    last.call("/cca/stop");
-    loop.join();
-  }
-  controller& started() {  // before the door is made: it knows the parameters of then
-    c.load();
-    auto gains = c.get<"servo">().p;
-    gains.proportional[0] = 1, gains.derivative[0] = 0.05, gains.filter = 0.001;
-    c.set<"servo">(gains);
-    c.get<"drive">().motor.now.position = 0.5;
-    c.start();
-    return c;
-  }
-  controller c;
-  cca::door<controller> door;
-  std::thread loop;
-};
 
 json chirp(double seconds = 5) {
   return {{"input", "servo.reference"}, {"output", "drive.angle"}, {"signal", "chirp"},
@@ -76,7 +51,7 @@ json response(client& c) {
 }  // namespace
 
 TEST_CASE("input tests: a chirp gives the plant of the axis, and gains that make its step fast") {
-  running r;
+  tuned_axis r;
   client c(r.door.port(), r.door.token());
   CHECK(c.call("/cca/test", chirp()).find("take_command") != std::string::npos);
   REQUIRE(c.call("/cca/take_command") == "");
@@ -139,7 +114,7 @@ TEST_CASE("input tests: a chirp gives the plant of the axis, and gains that make
 }
 
 TEST_CASE("input tests: a sine through a door") {
-  running r;
+  tuned_axis r;
   client c(r.door.port(), r.door.token());
   REQUIRE(c.call("/cca/take_command") == "");
   const json sine = with(with(chirp(4), "signal", "sine"), "frequency", 3);
@@ -155,7 +130,7 @@ TEST_CASE("input tests: a sine through a door") {
 }
 
 TEST_CASE("input tests: what is no test is refused, and says why") {
-  running r;
+  tuned_axis r;
   client c(r.door.port(), r.door.token()), other(r.door.port());
   REQUIRE(c.call("/cca/take_command") == "");
   CHECK(c.waits([&] {
@@ -194,7 +169,7 @@ TEST_CASE("input tests: what is no test is refused, and says why") {
 }
 
 TEST_CASE("input tests: one ends with its end, the right to command, its connection, and the run") {
-  running r;
+  tuned_axis r;
   const auto is_off = [&](client& from) {
     return from.waits([&] {
       from.text({{"op", "getParameters"}, {"parameterNames", {"test_servo_reference.signal"}}, {"id", "s"}});
