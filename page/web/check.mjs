@@ -6,6 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { createRequire } from 'node:module';
 import { launch } from './browser.mjs';
 import { checkDoor, checkManyOutputs } from './check_door.mjs';
+import { checkInputTest } from './check_input_test.mjs';
 import { checkFault, checkSkills } from './check_skills.mjs';
 import { checkDescribed, checkPages, checkRecording, checkRefusals } from './check_recording.mjs';
 import { checkTouch } from './check_touch.mjs';
@@ -70,7 +71,7 @@ const position = async (page) => [await number(page, '#x'), await number(page, '
 const state = (page) => text(page, '#state');
 
 // `--only touch`: while you work on them.
-const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages, described: checkDescribed, door: checkDoor, twin: checkTwin, many: checkManyOutputs, viewer: checkViewer };
+const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages, described: checkDescribed, door: checkDoor, test: checkInputTest, twin: checkTwin, many: checkManyOutputs, viewer: checkViewer };
 const wanted = options.only?.split(',') ?? Object.keys(parts);
 for (const part of wanted) await parts[part]({ options, check, near, open, text, number, settle, message, press, runAhead, parameter, picture, accessible, position, state, requests, browser, complaints });
 

@@ -52,6 +52,7 @@ export function inputTest(panel, tests) {
       await door.call('test', { ...texts, ...values, output_axis: 0 });
       panel.say(`tests ${texts.input} by a ${texts.signal}`);
       answer.replaceChildren(...drawn(await response(door)));
+      panel.say(`the test of ${texts.input} is over`);
     } catch (error) {
       panel.say(`refused: ${error.message}`, true);
     }

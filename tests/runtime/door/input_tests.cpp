@@ -168,6 +168,25 @@ TEST_CASE("input tests: what is no test is refused, and says why") {
   CHECK(third.call("/cca/response").find("no test has run") != std::string::npos);
 }
 
+TEST_CASE("input tests: what an earlier one or a client has set does not spoil the next") {
+  tuned_axis r;
+  client c(r.door.port(), r.door.token());
+  REQUIRE(c.call("/cca/take_command") == "");
+  // A step has no frequency, so none is refused, and none is kept.
+  const json step = with(with(with(chirp(0.5), "signal", "step"), "to", 600), "frequency", 700);
+  std::string said;
+  c.waits([&] { return (said = c.call("/cca/test", step)).empty(); });
+  REQUIRE(said == "");
+  CHECK(!response(c).is_null());
+  CHECK(c.call("/cca/test", chirp(0.5)) == "");
+  CHECK(!response(c).is_null());
+  c.set("test_servo_reference.signal", "off", "off");
+  c.next("parameterValues");
+  c.set("test_servo_reference.frequency", 800, "high");
+  CHECK(c.next("parameterValues")["parameters"][0]["value"] == 800);
+  CHECK(c.call("/cca/test", chirp(0.5)) == "");
+}
+
 TEST_CASE("input tests: one ends with its end, the right to command, its connection, and the run") {
   tuned_axis r;
   const auto is_off = [&](client& from) {

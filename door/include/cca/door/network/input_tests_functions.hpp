@@ -87,10 +87,14 @@ inline std::string input_test::fill(const std::vector<door_parameter>& known, do
   };
   const auto run = parameter("run");
   if (run == known.end()) return "the run has not begun";
-  const std::pair<const char*, json> all[] = {
-      {"signal", asked.signal},       {"axis", asked.axis}, {"amplitude", asked.amplitude},
-      {"frequency", asked.frequency}, {"to", asked.to},     {"duration", asked.duration},
-      {"run", run->value.integer + 1}};
+  // One after the other, and checked each time: so the signal comes after its frequencies, and what it has none
+  // of stays as it is.
+  std::vector<std::pair<const char*, json>> all{
+      {"axis", asked.axis}, {"amplitude", asked.amplitude}, {"duration", asked.duration}};
+  if (asked.signal != "step") all.emplace_back("frequency", asked.frequency);
+  if (asked.signal.ends_with("chirp")) all.emplace_back("to", asked.to);
+  all.emplace_back("signal", asked.signal);
+  all.emplace_back("run", run->value.integer + 1);
   for (const auto& [name, value] : all) {
     const auto of = parameter(name);
     std::string wrong;
