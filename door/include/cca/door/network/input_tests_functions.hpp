@@ -87,8 +87,8 @@ inline std::string input_test::fill(const std::vector<door_parameter>& known, do
   };
   const auto run = parameter("run");
   if (run == known.end()) return "the run has not begun";
-  // One after the other, and checked each time: so the signal comes after its frequencies, and what it has none
-  // of stays as it is.
+  // One after the other, and checked each time: so the signal comes after its frequencies, and what it has
+  // none of stays as it is.
   std::vector<std::pair<const char*, json>> all{
       {"axis", asked.axis}, {"amplitude", asked.amplitude}, {"duration", asked.duration}};
   if (asked.signal != "step") all.emplace_back("frequency", asked.frequency);
