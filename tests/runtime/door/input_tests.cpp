@@ -180,6 +180,8 @@ TEST_CASE("input tests: what an earlier one or a client has set does not spoil t
   CHECK(!response(c).is_null());
   CHECK(c.call("/cca/test", chirp(0.5)) == "");
   CHECK(!response(c).is_null());
+  CHECK(c.call("/cca/test", step) == "");
+  CHECK(!response(c).is_null());
   c.set("test_servo_reference.signal", "off", "off");
   c.next("parameterValues");
   c.set("test_servo_reference.frequency", 800, "high");
