@@ -31,6 +31,18 @@ struct joined<list<A...>> {
 template <class... A, class... B, class... Rest>
 struct joined<list<A...>, list<B...>, Rest...> : joined<list<A..., B...>, Rest...> {};
 
+// How many of a list of conditions hold. A fold over them has at most 256 operands (docs/compilers.md), and
+// a graph may have more items.
+template <bool... Each>
+inline constexpr int how_many = [] {
+  constexpr bool each[] = {Each..., false};
+  int count = 0;
+  for (const bool holds : each) count += holds;
+  return count;
+}();
+template <bool... Each>
+inline constexpr bool is_any = how_many<Each...> != 0;
+
 struct item_info;
 
 struct port_info {

@@ -1,9 +1,7 @@
 // All components of a controller, one after the other, and their paths; and those of outputs.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -118,11 +116,10 @@ void forget_strategies([[maybe_unused]] State& state, [[maybe_unused]] int node)
   }(chosen<counts_of<Graph>.call_count, keeps_strategy<Graph>>{});
 }
 
-// Whether a component is so. A list, since a fold has at most 256 operands (docs/compilers.md).
+// Whether a component is so.
 template <class Graph, class Question>
 inline constexpr bool any_component = []<int... First>(std::integer_sequence<int, First...>) {
-  constexpr bool each[] = {Question::template holds<typename node_types<Graph, First>::component>..., false};
-  return std::ranges::find(each, true) != std::end(each);
+  return is_any<Question::template holds<typename node_types<Graph, First>::component>...>;
 }(chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>{});
 
 // Hooks of resource nodes, as visitors.

@@ -32,7 +32,8 @@ struct items_of_graph {
 
 template <class... Items>
 struct graph {
-  using cca_items = typename detail::items_of_graph<(detail::is_test_input<Items> || ...), Items...>::type;
+  using cca_items =
+      typename detail::items_of_graph<detail::is_any<detail::is_test_input<Items>...>, Items...>::type;
 };
 
 // A component, or a graph, under a name.

@@ -142,9 +142,9 @@ struct test_of_input {
   using parts = parts_of_input<Input>;
   using component = typename component_named<parts::node, All...>::type;
   static constexpr bool has_node = !std::is_same_v<component, no_such_node>;
-  static constexpr bool is_wired = (leads_to<Input, All> || ...);
-  static constexpr bool is_merged = ((leads_to<Input, All> && is_merged_wire<All>) || ...);
-  static constexpr bool is_twice = (int{tests_it<Input, All>} + ... + 0) > 1;
+  static constexpr bool is_wired = is_any<leads_to<Input, All>...>;
+  static constexpr bool is_merged = is_any<(leads_to<Input, All> && is_merged_wire<All>)...>;
+  static constexpr bool is_twice = how_many<tests_it<Input, All>...> > 1;
   static constexpr bool is_right = has_node && is_wired && !is_merged && !is_twice;
   static_assert(holds_or_tells<has_node, test_of_unknown_node<Input>>::value);
   static_assert(holds_or_tells < !has_node || is_wired, test_of_unwired < Input >> ::value);
@@ -191,7 +191,7 @@ struct wire_to_test<From, To, list<Options...>> {
 };
 
 template <fixed_string From, fixed_string To, class... Options, class... All>
-  requires((tests_it<To, All> || ...))
+  requires(is_any<tests_it<To, All>...>)
 struct item_with_tests<wire<From, To, Options...>, All...> {
   using before = typename wire_to_test<From, To, options_of_wire<false, Options...>>::type;
   using type =
@@ -200,7 +200,7 @@ struct item_with_tests<wire<From, To, Options...>, All...> {
                          list<wire<From, To, Options...>>>;
 };
 template <fixed_string Inner, fixed_string Outer, class... All>
-  requires((tests_it<Inner, All> || ...))
+  requires(is_any<tests_it<Inner, All>...>)
 struct item_with_tests<expose<Inner, Outer>, All...> {
   using before = expose<joined_name<name_of_test<Inner>, "input">, Outer>;
   using type = std::conditional_t<test_of_input<Inner, All...>::is_right,
