@@ -22,7 +22,23 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {first + (end - text.c_str()), errc()};
 }
 
-// There is one thread. Only a writer of traces waits for another, and no page has one.
+// There is one thread, so a lock guards nothing.
+class mutex {
+public:
+  void lock() noexcept {}
+  void unlock() noexcept {}
+  bool try_lock() noexcept { return true; }
+};
+template <class... Mutexes>
+class scoped_lock {
+public:
+  explicit scoped_lock(Mutexes&...) noexcept {}
+  ~scoped_lock() {}
+  scoped_lock(const scoped_lock&) = delete;
+  scoped_lock& operator=(const scoped_lock&) = delete;
+};
+
+// Only a writer of traces waits for another thread, and no page has one.
 namespace this_thread {
 
 inline void yield() noexcept {}
