@@ -7,7 +7,7 @@
 //   hardware_in_the_loop --role robot --buses vcan0,...,vcan4
 //       the controller, in a second process; it is the program for a real robot
 //   ... --pace lock-step
-//       for both: on a machine that is too slow for real time
+//       for all: on a machine that is too slow for real time; for a live twin (docs/door.md)
 //
 // Exit code 0: nothing tripped and, where the program can see it, the robot came forward and has not fallen.
 // Role `drives`: 2 if all drives stopped by their watchdogs.
@@ -46,17 +46,13 @@ namespace {
 using namespace hil;
 
 struct wishes {
-  double seconds = 5;
   std::string role;
-  bool lock_step = false, quiet = false;
+  bool lock_step = false;
   std::vector<std::string> names;
-  std::vector<std::string> configs;
-  std::string record, page, trace;
-  std::optional<std::uint16_t> door;
-  bool holds_faults = false;
+  cca::run_settings run{.seconds = 5};  // of the controller
 
   void offer(cca::command_line& line) {
-    line.number("--seconds S", seconds, 0.001, 36000, "how long (5)");
+    line.number("--seconds S", run.seconds, 0.001, 36000, "how long (5)");
     line.one_of(
         "--role R", [this](std::size_t i) { role = i == 0 ? "robot" : "drives"; },
         std::array{"robot", "drives"},
@@ -66,33 +62,23 @@ struct wishes {
         "--buses A,B,C,D,E", [this](const std::string& text) { split(text); }, "the five CAN interfaces");
     line.one_of("--pace P", lock_step, std::array{"wall-clock", "lock-step"},
                 "wall-clock or lock-step (wall-clock)");
-    line.texts("--config FILE", configs, "parameters of the controller");
-    line.flag("--quiet", quiet, "prints no figures");
-    line.text("--record FILE", record, "records all ports of the controller into this MCAP file");
-    line.text("--page FILE", page, "records into this HTML file, which any browser shows");
-    line.text("--trace FILE", trace, "writes when each component fires, for ui.perfetto.dev");
-    line.value(
-        "--door [PORT]",
-        [this](const std::string& text) {
-          door = static_cast<std::uint16_t>(text.empty() ? 8765
-                                                         : cca::whole_number_in("--door", text, 0, 65535));
-        },
-        "lets viewers and cca-top connect while it runs, in a wall-clock run (port 8765)");
-    line.one_of("--on-fault W", holds_faults, std::array{"end", "hold"},
+    line.texts("--config FILE", run.configs, "parameters of the controller");
+    line.flag("--paused", run.paused, "waits before its first beat until it is told to go on");
+    line.flag("--quiet", run.quiet, "prints no figures");
+    line.text("--record FILE", run.record, "records all ports of the controller into this MCAP file");
+    line.text("--page FILE", run.page, "records into this HTML file, which any browser shows");
+    line.text("--trace FILE", run.trace, "writes when each component fires, for ui.perfetto.dev");
+    line.one_of(
+        "--on-fault W", [this](std::size_t i) { run.on_fault = i == 0 ? "end" : "hold"; },
+        std::array{"end", "hold"},
                 "end, or hold: until it is told to resume or to start anew (end)");
-  }
-  void set(cca::run_settings& s) const {
-    s.seconds = seconds;
-    s.configs = configs;
-    s.record = record, s.page = page, s.trace = trace;
-    s.door = door;
-    if (holds_faults) s.on_fault = "hold";
   }
   void refuse_contradictions() const {
     if (role.empty() != names.empty())
       throw cca::command_line_error("--role and --buses come together: the role, and five CAN interfaces");
-    if (role == "drives" && !(record.empty() && page.empty() && trace.empty()))
-      throw cca::command_line_error("--record, --page and --trace: of the controller, not of the drives");
+    if (role == "drives" && (run.door || !(run.record.empty() && run.page.empty() && run.trace.empty())))
+      throw cca::command_line_error(
+          "--record, --page, --trace and --door: of the controller, not of the drives");
   }
 
 private:
@@ -136,8 +122,8 @@ struct observed
 // Both ends in this process.
 struct in_one_process : cca::robot_program<observed<memory_end>> {
   explicit in_one_process(const wishes& o) {
-    o.set(settings);
-    if (!settings.door) settings.speed.reset();  // the buses have virtual time
+    settings = o.run;
+    if (!settings.door || o.lock_step) settings.speed.reset();  // the buses have virtual time
     offers.push_back(
         {.name = "push",
          .help = "pushes the trunk",
@@ -192,8 +178,7 @@ bus_array open_buses(const wishes& o) { return open_buses(o, std::make_index_seq
 // The controller on CAN interfaces: the program for a real robot.
 struct on_buses : cca::robot_program<observed<paced_can>> {
   explicit on_buses(const wishes& o) : bus(open_buses(o)), lock_step(o.lock_step) {
-    o.set(settings);
-    settings.quiet = o.quiet;
+    settings = o.run;
     if (lock_step) settings.speed.reset();  // it waits for frames, not for the clock
   }
 
@@ -253,7 +238,7 @@ int as_drives(const wishes& o) {
   far_side<paced_can> far;
   far.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
   mechanics robot(put_down());
-  const std::int64_t beats = std::llround(1000 * o.seconds);
+  const std::int64_t beats = std::llround(1000 * *o.run.seconds);
   cca::at_speed clock = cca::at_wall_clock();
   clock.begin();
   const cca::interruption interrupted;
@@ -298,8 +283,9 @@ int main(int count, char** words) {
   cca::command_line line("the trot moves virtual drives around the simulated Oncilla, over CAN buses");
   o.offer(line);
   using controller = in_one_process::controller_type;
+  cca::offer_door<controller>(line, o.run);
   cca::offer_descriptions<controller>(line, [&o](controller& c) {
-    for (const std::string& file : o.configs) cca::read_parameters(c, file);
+    for (const std::string& file : o.run.configs) cca::read_parameters(c, file);
   });
   return cca::run_program(count, words, line, [&] {
     o.refuse_contradictions();

@@ -7,18 +7,12 @@
 #include <cca/deployment.hpp>
 #include <cca/runtime/environments/realtime.hpp>
 
-#include "../deployed/with_items.hpp"
+#include "beside_buses.hpp"
 #include "in_memory.hpp"
 
 namespace hil {
 
 // [two environments]
-template <class Bus>
-struct trot_beside_buses
-    : deployed::with_items<trot::architecture<oncilla<Bus>>,
-                           cca::wire<"robot.orientation", "posture.orientation", cca::delayed<1>>,
-                           cca::wire<"gait.angles", "limits.command", cca::delayed<1>>> {};
-
 template <class Bus>
 struct two_environments
     : cca::deployment<trot_beside_buses<Bus>,

@@ -21,10 +21,17 @@
 
 namespace cca {
 
-// Runs the robot of a program by its settings, for a main function that has read the command line itself and
-// chooses among programs. Returns the exit code; what is refused is thrown.
+// For a main function that reads the command line itself and chooses among programs.
+// The options of a door (docs/door.md), if there is one; `s` becomes the settings of the program that runs.
+template <class Controller>
+void offer_door([[maybe_unused]] command_line& line, [[maybe_unused]] run_settings& s) {
+  if constexpr (detail::HasDoor<Controller>) detail::offer_door(line, s);
+}
+
+// Runs the robot of a program by its settings. Returns the exit code; what is refused is thrown.
 template <class Program>
 int run_robot(Program& program, const std::string& name) {
+  detail::refuse_contradictions(program.settings);
   return detail::robot_run<Program>(program, name).go();
 }
 

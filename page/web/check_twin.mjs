@@ -159,3 +159,61 @@ export async function checkTwin(tools) {
   told = await follow(fakeDoor((uri) => ['', uri.includes('program') ? piece(code.subarray(Number(uri.split('=')[1])), code.length) : piece(Buffer.from([0, 0, 1, 0, 0, 0, 0, 0, 0, 0]), 10)]), () => false);
   check('twin: a damaged stream is no answer', told.state === 'unknown' && /stream is damaged/.test(told.why), told);
 }
+
+// Who commands a program from node: `call` answers with the reason of a refusal, `set` with the value then.
+function commander(url) {
+  const socket = new WebSocket(url, ['foxglove.websocket.v1', `cca.token.${token}`]), services = new Map(), waiting = new Map();
+  let last = 0;
+  const later = (send) => new Promise((done, refuse) => {
+    const id = ++last;
+    waiting.set(String(id), done);
+    setTimeout(() => refuse(new Error('the program does not answer')), 10_000).unref();
+    send(id);
+  });
+  const call = (name, request = {}) => later((id) => {
+    const text = Buffer.from(`json${JSON.stringify(request)}`), message = Buffer.concat([Buffer.alloc(13), text]);
+    message[0] = 2;
+    [services.get(name), id, 4].forEach((number, i) => message.writeUInt32LE(number, 1 + 4 * i));
+    socket.send(message);
+  });
+  const set = (name, value) => later((id) => socket.send(JSON.stringify({ op: 'setParameters', id: String(id), parameters: [{ name, value }] })));
+  socket.on('message', (data, isBinary) => {
+    if (isBinary) {
+      if (data[0] !== 3) return;
+      const answer = JSON.parse(data.subarray(13 + data.readUInt32LE(9)));
+      return waiting.get(String(data.readUInt32LE(5)))?.(answer.success ? '' : answer.message);
+    }
+    const m = JSON.parse(data);
+    if (m.op === 'advertiseServices') for (const { id, name } of m.services) services.set(name, id);
+    if (m.op === 'parameterValues') waiting.get(m.id)?.(m.parameters[0]?.value);
+  });
+  return new Promise((done) => {
+    const look = setInterval(() => { if (services.has('/cca/take_command')) { clearInterval(look); done({ call, set }); } }, 20);
+  });
+}
+
+// The program of a robot on drives, in two environments, while somebody changes a parameter and pushes. In a fast run,
+// since in one by the clock a sample may come late, and then no other machine can tell what was computed.
+export async function checkTwinOnDrives({ options, check }) {
+  const folder = `${options.pictures}/twin_on_drives`;
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  const port = await freePort(), url = `ws://127.0.0.1:${port}/`;
+  const program = await run({ program: options['drives-program'] }, port, token, folder, ['--paused', '--pace', 'lock-step', '--twin', options['drives-twin']]);
+  const user = await commander(url), socket = () => new WebSocket(url, ['foxglove.websocket.v1']);
+  const done = [await user.call('/cca/take_command'), await user.call('/cca/go_on')];
+  await secondsOf(500);
+  done.push(await user.call('/cca/pause'));
+  let told = await follow(socket(), (t) => t.beats > 0 && t.behind === 0);
+  check('twin on drives: the same, bit for bit', told.state === 'same' && told.beats > 500 && told.samples > 10 * told.beats, told);
+  const { beats } = told;
+  done.push(await user.set('cpg.frequency', 3.5), await user.call('/cca/command/push', { forward: 30, left: 20 }), await user.call('/cca/go_on'));
+  await secondsOf(300);
+  done.push(await user.call('/cca/release/push'));
+  await secondsOf(200);
+  done.push(await user.call('/cca/pause'));
+  told = await follow(socket(), (t) => t.beats > 0 && t.behind === 0);
+  check('twin on drives: still the same after a changed parameter and a push', JSON.stringify(done) === '["","","",3.5,"","","",""]' && told.state === 'same' && told.beats > beats + 500, { ...told, done });
+  program.kill('SIGKILL');
+  await program.ended;
+}

@@ -69,7 +69,6 @@ void refuse_contradictions(const command_line& line,
 
 template <class Program>
 void refuse_contradictions(const command_line& line, const Program& p) {
-  refuse_contradictions(p.settings);
   if constexpr (AnyDeployment<typename Program::architecture>)
     refuse_contradictions(line, p.settings, names_of_environments<typename Program::architecture>(),
                           {p.others.offered, p.others.chosen, static_cast<bool>(p.others.open)});
