@@ -2,13 +2,18 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <cca/cca.hpp>
 #include <cca/hardware/robot/robot.hpp>
 #include <cca/hardware/virtual_hardware.hpp>
+#include <cca/record.hpp>
 #include <cca/record/twin.hpp>
 #include <cca/robot/limiter.hpp>
 
@@ -27,17 +32,14 @@ struct pendulum {
 };
 using torque = robots::commanded<pendulum, robots::torque_command>;
 
-struct damping {
-  double value = 0.1;
-  static constexpr auto cca_parameters =
-      cca::parameters(cca::parameter<"value">(&damping::value, cca::range{0, 1}));
-};
 struct damper {
-  using parameters = damping;
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, gain));
+  };
+  parameters p{0.1};
   auto process(cca::in<"angle", robots::angles<pendulum>> angle) -> cca::out<"torque", torque> {
-    return -p.value * angle.vector()[0];
+    return -p.gain * angle.vector()[0];
   }
-  damping p{};
 };
 
 template <class Bus>
@@ -49,6 +51,102 @@ struct architecture : cca::graph<cca::rate<1000>,
                                  cca::node<"robot", on_drive<Bus>>,
                                  cca::wire<"robot.angles", "damper.angle">,
                                  cca::wire<"damper.torque", "limits.command">,
-                                 cca::wire<"limits.safe", "robot.torque">> {};
+                                 cca::wire<"limits.safe", "robot.torque">>,
+                      cca::recordable {};
+using on_virtual_drive = architecture<hw::virtual_bus_end>;
+
+// Connected to nothing. It counts who uses it.
+struct no_bus {
+  hw::send_result send(std::span<const hw::can_frame>) noexcept { return ++uses, hw::send_result{}; }
+  std::size_t receive(std::span<hw::received_frame>) noexcept { return ++uses, 0; }
+  hw::bus_state state() const noexcept { return ++uses, hw::bus_state{}; }
+  hw::bus_counters counters() const noexcept { return ++uses, hw::bus_counters{}; }
+  std::uint64_t in_flight() const noexcept { return ++uses, 0; }
+  static inline int uses = 0;
+};
+using on_no_bus = architecture<no_bus>;
+
+using bytes = std::vector<unsigned char>;
+
+// The stream of a run, in which one bit of the sample of the topic `changed` in beat 700 is another one.
+struct streaming final : cca::recording::message_sink {
+  void channel(const cca::recording::channel_info& one) override {
+    topics[one.id] = one.topic;
+    writer.channel(one);
+  }
+  void message(std::uint16_t id,
+               std::uint64_t,
+               std::uint64_t,
+               cca::recording::detail::byte_view data) override {
+    bytes copy(data.begin(), data.end());
+    std::int64_t beat;
+    std::memcpy(&beat, copy.data() + 4, sizeof beat);
+    if (topics.at(id) == changed && beat == 700) copy.at(4 + 16) ^= 1;
+    writer.message(id, copy);
+  }
+  void metadata(const std::string& name, const cca::recording::detail::text_map& entries) override {
+    writer.metadata(name, entries);
+  }
+  std::string changed{};
+  std::map<std::uint16_t, std::string> topics{};
+  cca::recording::detail::twin_writer writer{};
+};
+
+// Another gain from the middle of the run on.
+bytes run(const std::string& changed = "") {
+  streaming stream;
+  stream.changed = changed;
+  {
+    hw::virtual_hardware<on_drive<hw::virtual_bus_end>,
+                         hw::virtual_motors<on_drive<hw::virtual_bus_end>::joints>>
+        far;
+    far.plant.put_at<swing>(0.3);
+    cca::controller<on_virtual_drive> c;
+    far.connect(c.get<"robot.synchronizer">());
+    cca::recording::recorder recording(c, {.waits = true});
+    recording.add(stream);
+    recording.open();
+    c.load();
+    c.start();
+    const auto run_on = [&](int beats) {
+      for (int k = 0; k < beats; ++k) c.step(), far.step();
+    };
+    run_on(500);
+    REQUIRE(c.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
+    c.set<"damper">({0.4});
+    run_on(500);
+    recording.close();
+    REQUIRE(recording.lost_beats() == 0);
+  }
+  return {stream.writer.view().begin(), stream.writer.view().end()};
+}
+
+cca::recording::replay_result twin_of(const bytes& stream) {
+  cca::recording::twin<on_no_bus> twin;
+  return twin.take(stream);
+}
 
 }  // namespace
+
+TEST_CASE("the twin of a robot on virtual drives uses no bus, and computes the same bits") {
+  const auto result = twin_of(run());
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == 999);  // the last one is compared when the next one comes
+  CHECK(result.samples > 5 * result.beats);
+  CHECK(no_bus::uses == 0);
+}
+
+TEST_CASE("one bit of what the robot was told is the first difference") {
+  const auto result = twin_of(run("/limits/safe"));
+  CHECK(result.component == "limits");
+  CHECK(result.port == "safe");
+  CHECK(result.beat == 700);
+}
+
+TEST_CASE("one bit of what a drive measured is found in the beat in which it was measured") {
+  const auto result = twin_of(run("/robot/swing/angle"));
+  INFO(result);
+  CHECK_FALSE(result);
+  CHECK(result.beat == 700);
+}
