@@ -70,8 +70,7 @@ struct wishes {
     line.text("--trace FILE", run.trace, "writes when each component fires, for ui.perfetto.dev");
     line.one_of(
         "--on-fault W", [this](std::size_t i) { run.on_fault = i == 0 ? "end" : "hold"; },
-        std::array{"end", "hold"},
-                "end, or hold: until it is told to resume or to start anew (end)");
+        std::array{"end", "hold"}, "end, or hold: until it is told to resume or to start anew (end)");
   }
   void refuse_contradictions() const {
     if (role.empty() != names.empty())

@@ -1,5 +1,5 @@
-// The twin of examples/hardware_in_the_loop, in one process or on CAN interfaces: what its drives report comes
-// from the robot, so this one has buses that are connected to nothing.
+// The twin of examples/hardware_in_the_loop, in one process or on CAN interfaces: what its drives report
+// comes from the robot, so this one has buses that are connected to nothing.
 #include <cca/cca.hpp>
 #include <cca/hardware/virtual_hardware.hpp>
 
