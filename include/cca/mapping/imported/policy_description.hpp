@@ -55,7 +55,7 @@ inline std::string json_number(double x) {
   std::array<char, 40> digits;
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
 }
-inline std::string json_text(std::string_view text) {
+inline std::string quoted_json(std::string_view text) {
   std::string all = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') all += '\\';
@@ -77,15 +77,15 @@ inline std::string json_range(const policy_range& r) {
 inline std::string json_term(const described_term& t) {
   const auto of = [&](const auto& write) { return json_list(t.numbers, write); };
   using n = const described_number&;
-  return "{\"name\": " + json_text(t.name) + ", \"is\": " + json_text(t.is) +
-         ", \"numbers\": " + of([](n one) { return json_text(one.name); }) +
-         ",\n     \"units\": " + of([](n one) { return json_text(one.unit); }) +
+  return "{\"name\": " + quoted_json(t.name) + ", \"is\": " + quoted_json(t.is) +
+         ", \"numbers\": " + of([](n one) { return quoted_json(one.name); }) +
+         ",\n     \"units\": " + of([](n one) { return quoted_json(one.unit); }) +
          ",\n     \"limits\": " + of([](n one) { return json_range(one.limits); }) +
          ",\n     \"rest\": " + of([](n one) { return json_number(one.rest); }) +
          ", \"scale\": " + of([](n one) { return json_number(one.scale); }) +
          ", \"sign\": " + of([](n one) { return std::to_string(one.sign); }) +
          ",\n     \"clip\": " + json_range(t.clip) +
-         ", \"clips\": " + json_text(t.clips_scaled ? "after_scale" : "before_scale") +
+         ", \"clips\": " + quoted_json(t.clips_scaled ? "after_scale" : "before_scale") +
          ", \"target_clip\": " + json_range(t.target_clip) + "}";
 }
 
@@ -201,14 +201,14 @@ inline std::string json_of(const policy_description& d) {
   };
   std::string terms;
   for (const described_term& t : d.terms) terms += (terms.empty() ? "" : ",\n    ") + detail::json_term(t);
-  return "{\n  \"name\": " + detail::json_text(d.name) + ",\n  \"rate\": " + detail::json_number(d.rate) +
-         ",\n  \"joints\": " + detail::json_list(d.joints, detail::json_text) +
+  return "{\n  \"name\": " + detail::quoted_json(d.name) + ",\n  \"rate\": " + detail::json_number(d.rate) +
+         ",\n  \"joints\": " + detail::json_list(d.joints, detail::quoted_json) +
          ",\n  \"stiffness\": " + numbers(d.stiffness) + ",\n  \"damping\": " + numbers(d.damping) +
          ",\n  \"history\": {\"length\": " + std::to_string(d.history) +
-         ", \"layout\": " + detail::json_text(d.layout) + ", \"order\": " + detail::json_text(d.order) +
-         ", \"start\": " + detail::json_text(d.start) + "},\n  \"observations\": [\n    " + terms +
+         ", \"layout\": " + detail::quoted_json(d.layout) + ", \"order\": " + detail::quoted_json(d.order) +
+         ", \"start\": " + detail::quoted_json(d.start) + "},\n  \"observations\": [\n    " + terms +
          "],\n  \"action\": " + detail::json_term(d.action) +
-         ",\n  \"last_action\": " + detail::json_text(d.observes_clipped ? "clipped" : "raw") +
+         ",\n  \"last_action\": " + detail::quoted_json(d.observes_clipped ? "clipped" : "raw") +
          ",\n  \"inputs\": " + std::to_string(d.inputs) + ",\n  \"outputs\": " + std::to_string(d.outputs) +
          "\n}\n";
 }
