@@ -7,12 +7,13 @@ import pathlib
 import subprocess
 import sys
 
-from read_independently import HERE, install
+import npm_packages
+from read_independently import HERE
 
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    install(folder)
+    npm_packages.install(HERE, folder, "@mcap/core")
     original = folder / "original.mcap"
     subprocess.run([*sys.argv[2:], "--record", str(original)], check=True)
     said = {}

@@ -96,7 +96,7 @@ def check(count, last, topic, joint_count, expect):
 def main():
     import read_independently
     folder, file, topic, joint_count = pathlib.Path(sys.argv[1]), *sys.argv[2:4], int(sys.argv[4])
-    read_independently.install(folder)
+    read_independently.npm_packages.install(read_independently.HERE, folder, "@mcap/core")
     indexed, _ = read_independently.read(folder, file)
     problems = []
     if "error" in indexed:

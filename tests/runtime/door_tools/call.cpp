@@ -251,7 +251,7 @@ TEST_CASE("a wrong command line is refused before anything is connected") {
                              {"x", "get"},
                              {"8765", "pause", "--json"},
                              {"8765", "get", "--count", "2"},
-                             {"8765", "start"},
+                             {"8765", "start", "arm", "leg"},
                              {"8765", "get", "--token", "a b"},
                              {"8765", "get", "--no"}}) {
     const ran one = running(CCA_CALL, wrong).end();
