@@ -7,8 +7,7 @@ import pathlib
 import subprocess
 import sys
 
-import npm_packages
-from read_independently import HERE
+from read_independently import HERE, npm_packages
 
 
 def main():
