@@ -42,9 +42,9 @@ CCA_MAIN_INLINE std::string run_commands::obey(run_control& control, std::string
   }
   if (line == "r" || line == "resume") return control.anew.ask(begun_anew::wish::resume, control.is_paused());
   if (line == "start") return control.anew.ask(begun_anew::wish::start, control.is_paused());
-  const std::string unknown = "`" + std::string(line) +
-                              "` is no command: p pauses, g goes on, s makes one beat, r resumes after a "
-                              "fault, start begins anew, a number from 0.001 to 1000 is the speed";
+  std::string unknown = "`" + std::string(line) +
+                        "` is no command: p pauses, g goes on, s makes one beat, r resumes after a "
+                        "fault, start begins anew, a number from 0.001 to 1000 is the speed";
   if (line.starts_with("x ")) line.remove_prefix(2);
   double speed = 0;
   const auto read = std::from_chars(line.data(), line.data() + line.size(), speed);

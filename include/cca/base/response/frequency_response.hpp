@@ -117,7 +117,8 @@ inline response_point fit_band(const std::vector<std::complex<double>>& u,
                                double bins_a_period_of_record) {
   using complex = std::complex<double>;
   const double wide = std::clamp(0.06 * bin, 7 * bins_a_period_of_record, 96 * bins_a_period_of_record);
-  const auto last = static_cast<double>(u.size() / 2 - 1);
+  const std::size_t half = u.size() / 2;
+  const double last = static_cast<double>(half) - 1;
   const auto from = static_cast<std::size_t>(math::floor(std::max(1.0, bin - wide)));
   const auto to = static_cast<std::size_t>(math::ceil(std::min(last, bin + wide)));
   const auto rows = static_cast<Eigen::Index>(to - from + 1);
