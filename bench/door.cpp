@@ -22,6 +22,7 @@
 
 #include <cca/door/server.hpp>
 
+#include "../tests/laws/resident_memory.hpp"
 #include "../tests/runtime/door/opened.hpp"
 
 namespace {
@@ -35,14 +36,6 @@ double cpu_seconds() {
   return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
          1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
-long kilobytes() {
-  long pages = 0, resident = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%ld %ld", &pages, &resident) != 2) resident = 0;
-    std::fclose(file);
-  }
-  return resident * 4;
-}
 
 // Reads frames as they are, without a copy of each.
 struct reader {
@@ -54,38 +47,26 @@ struct reader {
   void read(Late&& late) {
     if (!wire.receive(std::chrono::milliseconds(0))) return;
     const std::uint64_t time = now();
-    const std::string& in = wire.received;
-    std::size_t at = 0;
-    while (in.size() - at >= 2) {
-      std::size_t size = in[at + 1] & 127, head = 2;
-      if (size >= 126) {
-        head = size == 126 ? 4 : 10;
-        if (in.size() - at < head) break;
-        size = 0;
-        for (std::size_t i = 2; i < head; ++i) size = size << 8 | static_cast<unsigned char>(in[at + i]);
-      }
-      if (in.size() - at < head + size) break;
-      if (in[at] == '\x89') wire.send(door_test::frame_of(0x8a, ""));
-      if (in[at] == '\x82' && in[at + head] == 1) {
-        std::uint64_t sent;
-        std::memcpy(&sent, in.data() + at + head + 5, 8);
-        late(time - sent);
-        ++messages;
-      }
-      if (in[at] == '\x82' && in[at + head] == '\xca') {
-        ++messages;
-        for (std::size_t i = 1; i < size;) {
-          std::uint64_t sent;
-          std::uint32_t bytes;
-          std::memcpy(&sent, in.data() + at + head + i + 4, 8);
-          std::memcpy(&bytes, in.data() + at + head + i + 12, 4);
-          late(time - sent);
-          i += 16 + bytes;
-        }
-      }
-      at += head + size;
-    }
-    wire.received.erase(0, at);
+    wire.received.erase(0, door_test::each_frame(wire.received, [&](int kind, std::string_view payload) {
+                          if (kind == 9) wire.send(door_test::frame_of(0x8a, ""));
+                          if (kind == 2 && payload.starts_with('\1')) {
+                            std::uint64_t sent;
+                            std::memcpy(&sent, payload.data() + 5, 8);
+                            late(time - sent);
+                            ++messages;
+                          }
+                          if (kind == 2 && payload.starts_with('\xca')) {
+                            ++messages;
+                            for (std::size_t i = 1; i < payload.size();) {
+                              std::uint64_t sent;
+                              std::uint32_t bytes;
+                              std::memcpy(&sent, payload.data() + i + 4, 8);
+                              std::memcpy(&bytes, payload.data() + i + 12, 4);
+                              late(time - sent);
+                              i += 16 + bytes;
+                            }
+                          }
+                        }));
   }
 };
 
@@ -128,7 +109,7 @@ int main(int count, char** words) {
   std::atomic<bool> ends{false};
   const auto beats = static_cast<std::uint64_t>(seconds * rate);
   const double cpu = cpu_seconds();
-  const long memory = kilobytes();
+  const long memory = laws::resident_memory();
   std::thread writer([&] {
     unsigned char bytes[68] = {0, 1};
     auto due = std::chrono::steady_clock::now();
@@ -171,6 +152,6 @@ int main(int count, char** words) {
       "lost %llu, %.0f %% of a core, memory %ld + %ld KiB\n",
       channels, rate, clients, static_cast<double>(seen) / seconds, static_cast<double>(messages) / seconds,
       quantile(0.5), quantile(0.99), quantile(1), static_cast<unsigned long long>(all - seen),
-      100 * (cpu_seconds() - cpu) / seconds, memory, kilobytes() - memory);
+      100 * (cpu_seconds() - cpu) / seconds, memory, laws::resident_memory() - memory);
   return checks && (seen != all || quantile(0.99) > 2000) ? 1 : 0;
 }

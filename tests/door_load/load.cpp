@@ -33,6 +33,7 @@
 #include <cca/cca.hpp>
 #include <cca/door.hpp>
 
+#include "../laws/resident_memory.hpp"
 #include "../runtime/door/client.hpp"
 
 namespace {
@@ -85,16 +86,6 @@ struct wishes {
   bool fifo = false, checks = false;
 };
 
-// Of this process, in KiB.
-long resident() {
-  long size = 0, pages = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%ld %ld", &size, &pages) != 2) pages = 0;
-    std::fclose(file);
-  }
-  return pages * (::sysconf(_SC_PAGESIZE) / 1024);
-}
-
 // ---- the process of the clients ----
 
 struct counted {
@@ -116,25 +107,13 @@ struct reader {
   void read() {
     while (c.wire.receive(0ms)) {
       if (c.wire.is_closed) break;
-      std::string& in = c.wire.received;
-      std::size_t at = 0;
-      while (in.size() - at >= 2) {
-        std::size_t size = in[at + 1] & 127, head = 2;
-        if (size >= 126) {
-          head = size == 126 ? 4 : 10;
-          if (in.size() - at < head) break;
-          size = 0;
-          for (std::size_t i = 2; i < head; ++i) size = size << 8 | static_cast<unsigned char>(in[at + i]);
-        }
-        if (in.size() - at < head + size) break;
-        const std::string_view payload = std::string_view(in).substr(at + head, size);
-        if (in[at] == '\x89') c.wire.send(door_test::frame_of(0x8a, payload));
-        if (in[at] == '\x82' && payload.starts_with('\1')) ++seen.samples;
-        if (const auto lost = payload.find("has lost "); in[at] == '\x81' && lost != payload.npos)
-          seen.told_lost += std::strtoull(payload.data() + lost + 9, nullptr, 10);
-        at += head + size;
-      }
-      in.erase(0, at);
+      c.wire.received.erase(
+          0, door_test::each_frame(c.wire.received, [&](int kind, std::string_view payload) {
+            if (kind == 9) c.wire.send(door_test::frame_of(0x8a, payload));
+            if (kind == 2 && payload.starts_with('\1')) ++seen.samples;
+            if (const auto lost = payload.find("has lost "); kind == 1 && lost != payload.npos)
+              seen.told_lost += std::strtoull(payload.data() + lost + 9, nullptr, 10);
+          }));
     }
     is_open = is_open && !c.wire.is_closed;
   }
@@ -247,7 +226,7 @@ int run(const wishes& w) {
     for (auto due = clock_type::now(); !end.stop_requested();) {
       due += std::chrono::duration_cast<clock_type::duration>(every);
       while (clock_type::now() < due && !end.stop_requested()) std::this_thread::sleep_for(10ms);
-      if (!end.stop_requested()) memory.push_back(resident());
+      if (!end.stop_requested()) memory.push_back(laws::resident_memory());
     }
   });
   const std::int64_t beats = beats_of(w);

@@ -21,6 +21,7 @@
 #include <thread>
 #include <vector>
 
+#include "../laws/resident_memory.hpp"
 #include "../runtime/door/opened.hpp"
 
 namespace {
@@ -28,15 +29,6 @@ namespace {
 using namespace door_test;
 using clock_type = std::chrono::steady_clock;
 using about = fake_controls::about;
-
-long resident() {
-  long size = 0, pages = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%ld %ld", &size, &pages) != 2) pages = 0;
-    std::fclose(file);
-  }
-  return pages * (::sysconf(_SC_PAGESIZE) / 1024);
-}
 
 class noise {
 public:
@@ -179,7 +171,7 @@ int main(int count, char** words) {
   std::unique_ptr<client> all[4];  // frames and messages, without the token and with it
   std::uint64_t unopened = 0;
   for (std::uint64_t n = 0; n < messages; ++n) {
-    if (n == messages / 5) early = resident();
+    if (n == messages / 5) early = laws::resident_memory();
     if (n % 3 == 0) {
       raw_connection wire(one.port());
       wire.send(random.greeting(one.port()));
@@ -203,7 +195,7 @@ int main(int count, char** words) {
   const double seconds = std::chrono::duration<double>(clock_type::now() - begin).count();
   ends = true;
   reads.join();
-  const long late = resident();
+  const long late = laws::resident_memory();
   std::size_t stops = 0, others = 0;
   for (const auto& what : one.controls.asked()) ++(what.about == about::end_run ? stops : others);
   client last(one.port(), token);

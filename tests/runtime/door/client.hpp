@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -107,6 +108,34 @@ inline std::string greeting_of(std::uint16_t port, const greeting_words& with) {
          (with.origin.empty() ? "" : "\r\nOrigin: " + with.origin) + with.more + "\r\n\r\n";
 }
 
+// A whole frame of a door at the begin of `in`: its kind, its payload, and all its bytes.
+struct frame_in {
+  int kind;
+  std::string_view payload;
+  std::size_t size;
+};
+inline std::optional<frame_in> first_frame(std::string_view in) {
+  if (in.size() < 2) return {};
+  std::size_t size = in[1] & 127, head = 2;
+  if (size >= 126) {
+    head = size == 126 ? 4 : 10;
+    if (in.size() < head) return {};
+    size = 0;
+    for (std::size_t i = 2; i < head; ++i) size = size << 8 | static_cast<unsigned char>(in[i]);
+  }
+  if (in.size() - head < size) return {};
+  return frame_in{in[0] & 15, in.substr(head, size), head + size};
+}
+// take(kind, payload) of each whole frame. Returns how many bytes they were.
+template <class Take>
+std::size_t each_frame(std::string_view in, Take take) {
+  std::size_t at = 0;
+  while (const auto one = first_frame(in.substr(at))) {
+    take(one->kind, one->payload);
+    at += one->size;
+  }
+  return at;
+}
 // A masked frame. `first`: its first byte.
 inline std::string frame_of(unsigned first, std::string_view payload) {
   std::string bytes(1, static_cast<char>(first));
@@ -267,22 +296,14 @@ private:
   std::uint32_t last_call = 0;
 
   bool take() {
-    std::string& in = wire.received;
-    if (in.size() < 2) return false;
-    std::size_t size = in[1] & 127, at = 2;
-    if (size >= 126) {
-      at = size == 126 ? 4 : 10;
-      if (in.size() < at) return false;
-      size = 0;
-      for (std::size_t i = 2; i < at; ++i) size = size << 8 | static_cast<unsigned char>(in[i]);
-    }
-    if (in.size() < at + size) return false;
-    const int kind = in[0] & 15;
-    const std::string payload = in.substr(at, size);
-    in.erase(0, at + size);
+    const auto frame = first_frame(wire.received);
+    if (!frame) return false;
+    const int kind = frame->kind;
+    const std::string payload(frame->payload);
+    wire.received.erase(0, frame->size);
     if (kind == 1) texts.push_back(json::parse(payload));
     if (kind == 9 && answers_pings) wire.send(frame_of(0x8a, payload));
-    if (kind == 8 && size >= 2) {
+    if (kind == 8 && payload.size() >= 2) {
       closed_with = static_cast<std::uint16_t>(static_cast<unsigned char>(payload[0]) << 8 |
                                                static_cast<unsigned char>(payload[1]));
       why_closed = payload.substr(2);

@@ -17,7 +17,7 @@
 #include <cca/robot/watchdog.hpp>
 
 #include "../programs/child.hpp"
-#include "../robot_on_drives/pendulum.hpp"
+#include "../robot_on_drives/torque_pendulum.hpp"
 #include "client.hpp"
 #include "where_in.hpp"
 
@@ -27,16 +27,8 @@ using programs_test::child;
 
 namespace {
 
-namespace robots = cca::robots;
 using namespace pendulum_test;
 
-struct pendulum {
-  using body = pendulum_body;
-  using rate = cca::rate<1000>;
-  using commands = robots::commands<robots::torque_command>;
-  static constexpr std::array drives{robots::joint_drive{.motor = {3, 16}, .stiffness = 20, .damping = 0.6}};
-};
-using torque = robots::commanded<pendulum, robots::torque_command>;
 struct on_drive : hw::robot<pendulum, hw::virtual_bus_end, swing_joint> {};
 
 // Its command is made from what the drive measures: while the drive is silent there is none.

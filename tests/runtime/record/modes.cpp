@@ -12,21 +12,6 @@ using namespace record_test;
 
 namespace {
 
-struct walk : cca::graph<cca::rate<1000>,
-                         cca::node<"gait", gait>,
-                         cca::node<"limits", cca::limiter<leg_angles>>,
-                         cca::node<"leg", leg>,
-                         cca::wire<"leg.angles", "gait.x">,
-                         cca::wire<"gait.angles", "limits.command">,
-                         cca::wire<"limits.safe", "leg.command">> {};
-struct stand : cca::graph<cca::rate<1000>,
-                          cca::node<"leg", leg>,
-                          cca::node<"stance", stance>,
-                          cca::node<"limits", cca::limiter<leg_angles>>,
-                          cca::wire<"leg.angles", "stance.x">,
-                          cca::wire<"stance.angles", "limits.command">,
-                          cca::wire<"limits.safe", "leg.command">> {};
-
 struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>>, cca::recordable {};
 struct plain_legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>> {};
 struct traced_legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>>,

@@ -14,12 +14,11 @@
 #include <cca/record/twin.hpp>
 
 #include "two_modes.hpp"
+#include "twin_stream.hpp"
 
 using namespace record_test;
 
 namespace {
-
-using bytes = std::vector<unsigned char>;
 
 struct graph : walking<> {};
 struct other_graph : cca::graph<cca::rate<1000>,
@@ -29,20 +28,6 @@ struct other_graph : cca::graph<cca::rate<1000>,
                                 cca::wire<"limits.safe", "leg.command">>,
                      cca::recordable {};
 
-struct walk : cca::graph<cca::rate<1000>,
-                         cca::node<"gait", gait>,
-                         cca::node<"limits", cca::limiter<leg_angles>>,
-                         cca::node<"leg", leg>,
-                         cca::wire<"leg.angles", "gait.x">,
-                         cca::wire<"gait.angles", "limits.command">,
-                         cca::wire<"limits.safe", "leg.command">> {};
-struct stand : cca::graph<cca::rate<1000>,
-                          cca::node<"leg", leg>,
-                          cca::node<"stance", stance>,
-                          cca::node<"limits", cca::limiter<leg_angles>>,
-                          cca::wire<"leg.angles", "stance.x">,
-                          cca::wire<"stance.angles", "limits.command">,
-                          cca::wire<"limits.safe", "leg.command">> {};
 struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>>, cca::recordable {};
 
 struct swing_alone {
@@ -64,33 +49,6 @@ struct seeing : cca::graph<cca::rate<1000>,
                            cca::observe<"leg.unread">>,
                 cca::recordable {};
 
-// The stream of a run. `before(topic, beat, message)` may change a message, or leave it out.
-struct streaming final : cca::recording::message_sink {
-  using change = bool (*)(const std::string& topic, std::int64_t beat, bytes& message);
-  explicit streaming(change c = nullptr) : before(c) {}
-
-  void channel(const cca::recording::channel_info& one) override {
-    topics[one.id] = one.topic;
-    writer.channel(one);
-  }
-  void message(std::uint16_t id,
-               std::uint64_t,
-               std::uint64_t,
-               cca::recording::detail::byte_view data) override {
-    bytes copy(data.begin(), data.end());
-    std::int64_t beat;
-    std::memcpy(&beat, copy.data() + 4, sizeof beat);
-    if (!before || before(topics.at(id), beat, copy)) writer.message(id, copy);
-  }
-  void metadata(const std::string& name, const cca::recording::detail::text_map& entries) override {
-    writer.metadata(name, entries);
-  }
-
-  change before;
-  std::map<std::uint16_t, std::string> topics;
-  cca::recording::detail::twin_writer writer;
-};
-
 // 5000 beats at most; the graph faults after 4.2 s.
 struct walks {
   template <class Controller>
@@ -101,20 +59,9 @@ struct walks {
   }
 };
 template <class Graph, class Drive = walks>
-bytes stream_of_run(streaming::change change = nullptr, Drive drive = {}) {
-  streaming stream(change);
-  {
-    cca::controller<Graph> c;
-    cca::recording::recorder recording(c, {.waits = true});
-    recording.add(stream);
-    recording.open();
-    c.load();
-    c.start();
-    drive(c);
-    recording.close();
-    REQUIRE(recording.lost_beats() == 0);
-  }
-  return {stream.writer.view().begin(), stream.writer.view().end()};
+bytes stream_of_run(const streaming::change& change = {}, Drive drive = {}) {
+  cca::controller<Graph> c;
+  return stream_of(c, change, [&] { drive(c); });
 }
 
 template <class Graph>
@@ -154,7 +101,7 @@ TEST_CASE("the twin of a set of modes goes through the same modes") {
     c.template switch_to<"stand">();
     c.run(cca::for_beats<100>{});
   };
-  const auto result = twin_of<legs>(stream_of_run<legs>(nullptr, drive));
+  const auto result = twin_of<legs>(stream_of_run<legs>({}, drive));
   INFO(result);
   CHECK(result);
   CHECK(result.beats == 600);
@@ -167,7 +114,7 @@ TEST_CASE("the twin of a set of modes goes through the same modes") {
 
 TEST_CASE("what no component reads is not sent") {
   const auto drive = [](auto& c) { c.run(cca::for_beats<100>{}); };
-  const bytes stream = stream_of_run<seeing>(nullptr, drive);
+  const bytes stream = stream_of_run<seeing>({}, drive);
   const auto result = twin_of<seeing>(stream);
   INFO(result);
   CHECK(result);
@@ -290,7 +237,7 @@ TEST_CASE("a twin of another architecture refuses the stream") {
 }
 
 TEST_CASE("a damaged stream is refused, differs or waits for more: nothing else") {
-  const bytes stream = stream_of_run<graph>(nullptr, [](auto& c) { c.run(cca::for_beats<60>{}); });
+  const bytes stream = stream_of_run<graph>({}, [](auto& c) { c.run(cca::for_beats<60>{}); });
   std::uint64_t seed = 88172645463325252u;
   int refused = 0, differs = 0;
   for (int n = 0; n < 400; ++n) {

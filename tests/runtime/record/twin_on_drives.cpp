@@ -1,7 +1,6 @@
 // The twin of a robot on virtual drives: it has the robot's graph, and buses that are connected to nothing.
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,20 +16,13 @@
 #include <cca/record/twin.hpp>
 #include <cca/robot/limiter.hpp>
 
-#include "../robot_on_drives/pendulum.hpp"
+#include "../robot_on_drives/torque_pendulum.hpp"
+#include "twin_stream.hpp"
 
 namespace {
 
-namespace robots = cca::robots;
 using namespace pendulum_test;
-
-struct pendulum {
-  using body = pendulum_body;
-  using rate = cca::rate<1000>;
-  using commands = robots::commands<robots::torque_command>;
-  static constexpr std::array drives{robots::joint_drive{.motor = {3, 16}, .stiffness = 20, .damping = 0.6}};
-};
-using torque = robots::commanded<pendulum, robots::torque_command>;
+using record_test::bytes;
 
 struct damper {
   struct parameters {
@@ -66,59 +58,28 @@ struct no_bus {
 };
 using on_no_bus = architecture<no_bus>;
 
-using bytes = std::vector<unsigned char>;
-
-// The stream of a run, in which one bit of the sample of the topic `changed` in beat 700 is another one.
-struct streaming final : cca::recording::message_sink {
-  void channel(const cca::recording::channel_info& one) override {
-    topics[one.id] = one.topic;
-    writer.channel(one);
-  }
-  void message(std::uint16_t id,
-               std::uint64_t,
-               std::uint64_t,
-               cca::recording::detail::byte_view data) override {
-    bytes copy(data.begin(), data.end());
-    std::int64_t beat;
-    std::memcpy(&beat, copy.data() + 4, sizeof beat);
-    if (topics.at(id) == changed && beat == 700) copy.at(4 + 16) ^= 1;
-    writer.message(id, copy);
-  }
-  void metadata(const std::string& name, const cca::recording::detail::text_map& entries) override {
-    writer.metadata(name, entries);
-  }
-  std::string changed{};
-  std::map<std::uint16_t, std::string> topics{};
-  cca::recording::detail::twin_writer writer{};
-};
-
-// Another gain from the middle of the run on.
+// One bit of the sample of the topic `changed` in beat 700 is another one. Another gain from the middle of
+// the run on.
 bytes run(const std::string& changed = "") {
-  streaming stream;
-  stream.changed = changed;
-  {
-    hw::virtual_hardware<on_drive<hw::virtual_bus_end>,
-                         hw::virtual_motors<on_drive<hw::virtual_bus_end>::joints>>
-        far;
-    far.plant.put_at<swing>(0.3);
-    cca::controller<on_virtual_drive> c;
-    far.connect(c.get<"robot.synchronizer">());
-    cca::recording::recorder recording(c, {.waits = true});
-    recording.add(stream);
-    recording.open();
-    c.load();
-    c.start();
-    const auto run_on = [&](int beats) {
-      for (int k = 0; k < beats; ++k) c.step(), far.step();
-    };
+  hw::virtual_hardware<on_drive<hw::virtual_bus_end>,
+                       hw::virtual_motors<on_drive<hw::virtual_bus_end>::joints>>
+      far;
+  far.plant.put_at<swing>(0.3);
+  cca::controller<on_virtual_drive> c;
+  far.connect(c.get<"robot.synchronizer">());
+  const auto run_on = [&](int beats) {
+    for (int k = 0; k < beats; ++k) c.step(), far.step();
+  };
+  const auto change = [&](const std::string& topic, std::int64_t beat, bytes& message) {
+    if (topic == changed && beat == 700) message.at(4 + 16) ^= 1;
+    return true;
+  };
+  return record_test::stream_of(c, change, [&] {
     run_on(500);
     REQUIRE(c.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
     c.set<"damper">({0.4});
     run_on(500);
-    recording.close();
-    REQUIRE(recording.lost_beats() == 0);
-  }
-  return {stream.writer.view().begin(), stream.writer.view().end()};
+  });
 }
 
 cca::recording::replay_result twin_of(const bytes& stream) {

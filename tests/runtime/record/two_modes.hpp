@@ -1,4 +1,4 @@
-// The components of two modes that ask for each other, and what a recording has of the switches.
+// Two modes that ask for each other, and what a recording has of the switches.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <cca/modes.hpp>
+#include <cca/robot/limiter.hpp>
 
 #include "graphs.hpp"
 
@@ -38,6 +39,21 @@ struct stance {
   double sum = 0;
   std::int64_t stands_until = 300;
 };
+
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"gait", gait>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
+                         cca::node<"leg", leg>,
+                         cca::wire<"leg.angles", "gait.x">,
+                         cca::wire<"gait.angles", "limits.command">,
+                         cca::wire<"limits.safe", "leg.command">> {};
+struct stand : cca::graph<cca::rate<1000>,
+                          cca::node<"leg", leg>,
+                          cca::node<"stance", stance>,
+                          cca::node<"limits", cca::limiter<leg_angles>>,
+                          cca::wire<"leg.angles", "stance.x">,
+                          cca::wire<"stance.angles", "limits.command">,
+                          cca::wire<"limits.safe", "leg.command">> {};
 
 struct switched {
   std::int64_t beat;

@@ -1,6 +1,5 @@
 // What a robot on a drive says when it has stopped: the first cause, with the joint, the drive and the
 // number, whatever else has noticed it.
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -16,21 +15,11 @@
 #include <cca/robot/watchdog.hpp>
 #include <cca/main/end_of_run.hpp>
 
-#include "pendulum.hpp"
+#include "torque_pendulum.hpp"
 
 namespace {
 
-namespace robots = cca::robots;
-
 using namespace pendulum_test;
-
-struct pendulum {
-  using body = pendulum_body;
-  using rate = cca::rate<1000>;
-  using commands = robots::commands<robots::torque_command>;
-  static constexpr std::array drives{robots::joint_drive{.motor = {3, 16}, .stiffness = 20, .damping = 0.6}};
-};
-using torque = robots::commanded<pendulum, robots::torque_command>;
 
 struct on_drive : hw::robot<pendulum, end_of_wire, swing_joint> {};
 
