@@ -63,6 +63,15 @@ struct probes_of {
   // A base that is held moves with nothing.
   static constexpr bool moves(const placed_shape& s) { return tree::floats || s.link >= 0; }
 
+  // Whether it may touch an edge with its middle.
+  static constexpr bool is_long(const placed_shape& s) { return s.form.kind != robots::shape_kind::sphere; }
+  static constexpr std::size_t long_shapes = [] {
+    std::size_t n = 0;
+    for (const placed_shape& s : shapes)
+      if (moves(s) && is_long(s)) ++n;
+    return n;
+  }();
+
   static constexpr std::size_t count = [] {
     std::size_t n = 0;
     for (const placed_shape& s : shapes)

@@ -49,6 +49,12 @@ struct ground_profile {
     if (!(std::isfinite(low) && std::isfinite(high))) return;
     for (std::int64_t i = index_at(low), last = index_at(high); i <= last; ++i) f(strip(i));
   }
+  // Calls f(i, before, after) where the strip i ends and the next one begins, between the two places.
+  template <class F>
+  void edges_between(double low, double high, F f) const {
+    if (!(std::isfinite(low) && std::isfinite(high))) return;
+    for (std::int64_t i = index_at(low), last = index_at(high); i < last; ++i) f(i, strip(i), strip(i + 1));
+  }
 
 private:
   // Strip 0 is the level ground before `start`, strip i the i-th step, or the slope.

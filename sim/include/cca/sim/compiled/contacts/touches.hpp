@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include <cca/sim/compiled/around/box_on_box.hpp>
+#include <cca/sim/compiled/around/ground_edges.hpp>
 #include <cca/sim/compiled/around/surroundings.hpp>
 #include <cca/sim/compiled/contacts/contact_solver.hpp>
 #include <cca/sim/compiled/contacts/slots.hpp>
@@ -42,7 +43,8 @@ public:
   using probes = probes_of<R>;
   using step_type = tree_step<R, Real>;
   using one = touch_in_step<Real>;
-  static constexpr std::size_t most = is_in_lanes<Real> ? most_contacts<Real>(probes::count) : 32;
+  static constexpr std::size_t on_edges = edge_touch<Real>::most * probes::long_shapes;
+  static constexpr std::size_t most = is_in_lanes<Real> ? most_contacts<Real>(probes::count + on_edges) : 32;
   static constexpr probe nothing{.link = -1, .shape = -1, .tip = 0, .at = {}, .radius = 0};
 
   std::size_t count = 0;
@@ -51,7 +53,10 @@ public:
   void find(const step_type& step, const ground& under) {
     count = shallow = 0;
     if constexpr (probes::count > 0)
-      if (under.exists) find_on_ground(step, under);
+      if (under.exists) {
+        find_on_ground(step, under);
+        if (probes::long_shapes > 0 && !under.profile.is_level()) find_on_edges(step, under);
+      }
   }
   // Beside those on the ground. `after`: of the beat's begin, s.
   void find_around(const step_type& step,
@@ -73,7 +78,7 @@ private:
   static constexpr triple<Real> real(const triple<double>& v) { return {Real(v[0]), Real(v[1]), Real(v[2])}; }
 
   // Numbers of things, for keys: robot's shapes and balls with boxes and balls. Smaller keys are points on
-  // the ground.
+  // the ground, and negative ones edges of it.
   static constexpr std::size_t features = 8, balls_at = boxes_around::most,
                                things = balls_at + balls_around::most, beyond_ground = 1 << 20;
   static constexpr int key_of(std::size_t first, std::size_t second, std::size_t feature) {
@@ -133,6 +138,46 @@ private:
     }
   }
 
+  void find_on_edges(const step_type& step, const ground& under) {
+    for (std::size_t s = 0; s < probes::shape_count; ++s) {
+      const placed_shape& shape = probes::shapes[s];
+      const bool is_box = shape.form.kind == robots::shape_kind::box;
+      if (!probes::moves(shape) || !probes::is_long(shape)) continue;
+      const triple<Real> middle = middle_of(step, shape);
+      const double reach = probes::reach(shape);
+      if (!is_edge_near(under, middle, reach)) continue;
+      const auto axes = axes_of(step, shape);
+      const auto& size = shape.form.size;
+      const auto span = [&](std::size_t k, double whole) { return Real(whole / 2) * axes[k]; };
+      const auto found =
+          is_box
+              ? touches_of_edges(
+                    under,
+                    spanned_shape<Real, 3>{middle, {span(0, size[0]), span(1, size[1]), span(2, size[2])}, 0},
+                    reach)
+              : touches_of_edges(under, spanned_shape<Real, 1>{middle, {span(2, size[1])}, size[0]}, reach);
+      one t;
+      t.of = &probes::all[probes::first[s]], t.on_ground = true;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        if (everywhere(!(found[i].depth > Real(0.0)))) continue;
+        t.key = -1 - static_cast<int>(s * found.size() + i);
+        t.depth = found[i].depth, t.normal = found[i].normal, t.at = found[i].at;
+        add(t);
+      }
+    }
+  }
+
+  static triple<Real> middle_of(const step_type& step, const placed_shape& shape) {
+    return step.base.at + step.base.direction(on_links<R, Real>::point(
+                              step.now.places, shape.link, tree::point({shape.link, shape.where})));
+  }
+  static std::array<triple<Real>, 3> axes_of(const step_type& step, const placed_shape& shape) {
+    const auto in_base = on_links<R, Real>::end_frame(step.now.places, {shape.link, shape.where});
+    std::array<triple<Real>, 3> axes;
+    for (std::size_t k = 0; k < 3; ++k) axes[k] = step.base.direction(in_base.axes[k]);
+    return axes;
+  }
+
   void find_of_shape(const step_type& step,
                      const surroundings& around,
                      const motion_around<Real>& now,
@@ -147,13 +192,12 @@ private:
     const Real radius(is_box ? 0.0 : size[0]), reach(probes::reach(shape));
     box_form<Real> own{{}, {Real(size[0] / 2), Real(size[1] / 2), Real(size[2] / 2)}};
     placed_frame<Real>& frame = own.frame;
-    frame.at = step.base.at + step.base.direction(on_links<R, Real>::point(
-                                  step.now.places, shape.link, tree::point({shape.link, shape.where})));
+    frame.at = middle_of(step, shape);
     bool is_turned = is_sphere;  // its axes are found where something is near
     const auto turn = [&] {
       if (is_turned) return;
-      const auto in_base = on_links<R, Real>::end_frame(step.now.places, {shape.link, shape.where});
-      for (std::size_t k = 0; k < 3; ++k) frame.axes[k] = step.base.direction(in_base.axes[k]);
+      const auto axes = axes_of(step, shape);
+      for (std::size_t k = 0; k < 3; ++k) frame.axes[k] = axes[k];
       is_turned = true;
     };
     const Real half_length(shape.form.kind == robots::shape_kind::capsule ? size[1] / 2 : 0.0);
