@@ -11,6 +11,7 @@
 //     static constexpr std::array line_springs{...};                         // line_spring.hpp
 //     using sensors = cca::robots::sensors<cca::robots::force_sensor<"flange_load", "arm">>;  // sensors.hpp
 //     static constexpr bool floats = true;   // nothing holds the base; it needs body::base
+//     static constexpr bool touches_itself = true;  // with its shapes, but for those of neighbours
 //     static constexpr std::array<double, 7> start{...};                     // coordinates, rad
 //     using readings = ...;                  // ports over some of the joints: groups.hpp
 //   };
@@ -92,6 +93,13 @@ constexpr bool floats = false;
 template <class R>
   requires requires { R::floats; }
 constexpr bool floats<R> = R::floats;
+
+// Links are neighbours that have no third one with a shape between them.
+template <class R>
+constexpr bool touches_itself = false;
+template <class R>
+  requires requires { R::touches_itself; }
+constexpr bool touches_itself<R> = R::touches_itself;
 
 namespace detail {
 

@@ -62,6 +62,7 @@ class compiled_world {
   using vector3 = detail::triple<Real>;
   using given = detail::given_vector<Real>;
   static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
+  static constexpr bool has_own = robots::touches_itself<R>;
   static constexpr bool has_shapes = detail::probes_of<R>::shape_count > 0;
 
 public:
@@ -70,7 +71,7 @@ public:
 
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
       : settings_((check(settings), settings)),
-        around_(detail::surroundings_of<Real>(around, settings.engine, has_shapes)),
+        around_(detail::surroundings_of<Real>(around, settings.engine, has_shapes, has_own)),
         built_(settings.body) {
     model();  // its numbers are checked
     state_.around.begin(around);
@@ -301,7 +302,7 @@ private:
     now.solve(m, state_.drives);
     bool touches = false;
     if constexpr (has_shapes) {
-      touches = around_.more() || (detail::probes_of<R>::count > 0 && around_.under.exists);
+      touches = around_.more() || has_own || (detail::probes_of<R>::count > 0 && around_.under.exists);
       if (touches) touch(now, h, after);
     }
     if (!touches) now.end(m, state_.drives, now.change);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <cca/sim/compiled/compiled_tree.hpp>
+#include <cca/sim/robot/model/own_pairs.hpp>
 #include <cca/sim/robot/model/robot_model.hpp>
 
 namespace cca::sim::detail {
@@ -102,6 +103,24 @@ struct probes_of {
   static constexpr auto first = [] {
     std::array<std::size_t, shape_count> found{};
     for (std::size_t i = count; i-- > 0;) found[static_cast<std::size_t>(all[i].shape)] = i;
+    return found;
+  }();
+  // Of a robot that touches itself: the shapes that may touch each other.
+  static constexpr bool touches_itself = robots::touches_itself<R>;
+  static constexpr auto own_pairs = [] {
+    constexpr auto each = [](auto f) {
+      if (touches_itself)
+        each_own_pair(
+            shapes, [](int link) { return tree::reduced.links[static_cast<std::size_t>(link)].parent; }, f);
+    };
+    constexpr std::size_t n = [each] {
+      std::size_t pairs = 0;
+      each([&](std::size_t, std::size_t) { ++pairs; });
+      return pairs;
+    }();
+    std::array<std::array<std::size_t, 2>, n> found{};
+    std::size_t k = 0;
+    each([&](std::size_t i, std::size_t j) { found[k++] = {i, j}; });
     return found;
   }();
   // The radius of a sphere about the middle of a shape that holds it.

@@ -1,11 +1,12 @@
 // The contacts of a robot, of balls and of what stands around them, in one physics step.
 //
 // Each pair of shapes is tested in a fixed order, without a space or broad phase of the engine: their order
-// would depend on addresses, and the same run would give other bits. Shapes of one robot don't touch each
-// other, and what doesn't move is not tested against what doesn't move. Contacts are springs and dampers,
-// given to the engine as ERP and CFM, so they don't depend on the step. Friction is a pyramid: along each of
-// two axes at most `friction` times the load that the pair had in the step before, shared by its contacts
-// (docs/simulator.md says why not the engine's own). So there is none in the first step of a contact.
+// would depend on addresses, and the same run would give other bits. Shapes of one robot touch each other if
+// its description says so, and what doesn't move is not tested against what doesn't move. Contacts are
+// springs and dampers, given to the engine as ERP and CFM, so they don't depend on the step. Friction is a
+// pyramid: along each of two axes at most `friction` times the load that the pair had in the step before,
+// shared by its contacts (docs/simulator.md says why not the engine's own). So there is none in the first
+// step of a contact.
 #pragma once
 
 #include <algorithm>
@@ -29,6 +30,7 @@ struct touch {
   Eigen::Vector3d at, force;
   Eigen::Vector3d normal;  // of the surface, into the shape
   Eigen::Vector3d slip;    // the speed of the shape along the surface, m/s
+  int second_shape = -1;   // of the robot, which it touches itself with: the opposite force acts on it
 };
 
 class touching {
@@ -46,6 +48,7 @@ public:
     dGeomID first, second;
     int shape = -1;                         // of the robot
     const ground_strips* ground = nullptr;  // then there is no second shape
+    int second_shape = -1;                  // of the robot
   };
   void set_pairs(std::vector<pair> pairs) {
     pairs_ = std::move(pairs);
@@ -82,7 +85,8 @@ public:
       const Eigen::Vector3d force = Eigen::Vector3d::Map(c.feedback.f1);
       load_of[c.pair] += std::max(0.0, force.dot(c.normal));
       if (const int shape = pairs_[c.pair].shape; shape >= 0)
-        on_touch(touch{static_cast<std::size_t>(shape), c.at, force, c.normal, slip_of(c)});
+        on_touch(touch{static_cast<std::size_t>(shape), c.at, force, c.normal, slip_of(c),
+                       pairs_[c.pair].second_shape});
     }
     contacts_.clear();
   }

@@ -1,7 +1,8 @@
 // What an impulse at a contact does to the branch of the tree that moves it, and the speed of the contact.
 //
 // The branch's rows of the contact's directions are taken through the factor of the step, so that products of
-// two contacts' rows are the speed of one for an impulse at the other. What else it touches adds to it.
+// two contacts' rows are the speed of one for an impulse at the other. What else it touches adds to it. Where
+// a robot touches itself, a contact has a second branch: the same contact with the opposite axes.
 #pragma once
 
 #include <array>
@@ -33,11 +34,10 @@ struct contact_on_branch {
   Real loose[2]{};         // what balls add to the speed for an impulse of 1: along the normal, across
 
   // The speeds of one contact for impulses at another one.
-  static constexpr void with_common(const probe& one,
-                                    const probe& other,
-                                    const directions& a,
-                                    const directions& b,
-                                    contact_block<Real>& to) {
+  static constexpr contact_block<Real> with_common(const probe& one,
+                                                   const probe& other,
+                                                   const directions& a,
+                                                   const directions& b) {
     constexpr auto base = static_cast<std::size_t>(tree::base);
     const std::size_t rows = shared(one.tip, other.tip);
     Real sums[9]{};
@@ -47,7 +47,9 @@ struct contact_on_branch {
     };
     cca::detail::unrolled<tree::base>([&](auto i) { add(static_cast<std::size_t>(i())); });
     for (std::size_t i = base; i < rows; ++i) add(i);
-    for (std::size_t k = 0; k < 9; ++k) to[k] = sums[k];
+    contact_block<Real> block;
+    for (std::size_t k = 0; k < 9; ++k) block[k] = sums[k];
+    return block;
   }
 
   constexpr void set_tangents(const triple<Real>& n) {
@@ -109,14 +111,36 @@ struct contact_on_branch {
       });
     });
   }
-  // Turns the tangents until an impulse along one causes no speed along the other.
-  constexpr void turn_tangents(contact_law<Real>& l) {
-    Real g[6]{};
+  // As the second branch of a contact. The speeds of both add up.
+  constexpr void fill_second(const tree_step<R, Real>& step,
+                             const probe& p,
+                             const triple<Real>& world,
+                             contact_on_branch& first,
+                             contact_law<Real>& l,
+                             const typename on_links<R, Real>::vector& speed,
+                             const typename on_links<R, Real>::vector& scale) {
+    contact_law<Real> own;
+    for (std::size_t r = 0; r < 3; ++r) axes[r] = Real(-1.0) * first.axes[r];
+    fill(step, p, world, own, speed, scale);
+    for (std::size_t r = 0; r < 3; ++r) l.speed[r] = l.speed[r] + own.speed[r];
+    for (std::size_t r = 0; r < 2; ++r) first.slip_before[r] = first.slip_before[r] + slip_before[r];
+  }
+  // Of a contact alone, its speeds for its own impulses: normal, tangents, normal with each, both tangents.
+  using own_block = Real[6];
+  constexpr void add_own(own_block& g) const {
     for (std::size_t i = 0; i < length; ++i) {
       const Real a = w[0][i], b = w[1][i], c = w[2][i];
       g[0] = g[0] + a * a, g[1] = g[1] + b * b, g[2] = g[2] + c * c;
       g[3] = g[3] + a * b, g[4] = g[4] + a * c, g[5] = g[5] + b * c;
     }
+  }
+  // What its two branches have in common.
+  static constexpr void add_own(const contact_block<Real>& both, own_block& g) {
+    for (std::size_t r = 0; r < 3; ++r) g[r] = g[r] + Real(2.0) * both[4 * r];
+    g[3] = g[3] + both[1] + both[3], g[4] = g[4] + both[2] + both[6], g[5] = g[5] + both[5] + both[7];
+  }
+  // Turns the tangents until an impulse along one causes no speed along the other.
+  constexpr void turn_tangents(contact_law<Real>& l, own_block& g, contact_on_branch* second = nullptr) {
     if (!l.is_cone) return l.take(g);
     const Real d = g[2] - g[1], twice = g[5] + g[5], size = larger(d, -d);
     const Real sign = select(d < Real(0.0), Real(-1.0), Real(1.0));
@@ -131,6 +155,8 @@ struct contact_on_branch {
     turn(l.speed[1], l.speed[2]);
     turn(slip_before[0], slip_before[1]);
     for (std::size_t i = 0; i < length; ++i) turn(w[1][i], w[2][i]);
+    if (second)
+      for (std::size_t i = 0; i < second->length; ++i) turn(second->w[1][i], second->w[2][i]);
     l.own = {g[0], g[1] - t * g[5], g[2] + t * g[5]};
     turn(g[3], g[4]);
     l.coupling = {g[3], g[4]};

@@ -14,6 +14,7 @@
 #include <cca/sim/compiled/around/surroundings.hpp>
 #include <cca/sim/compiled/contacts/contact_on_branch.hpp>
 #include <cca/sim/compiled/contacts/contact_solver.hpp>
+#include <cca/sim/compiled/contacts/kept_impulses.hpp>
 #include <cca/sim/compiled/probes.hpp>
 #include <cca/sim/compiled/contacts/slots.hpp>
 #include <cca/sim/compiled/contacts/touches.hpp>
@@ -26,22 +27,6 @@ struct contact_force {
   int shape = -1;                        // of the robot; -1: a ball's contact with something else
   triple<Real> at{}, normal{}, force{};  // in the world: m, N
   Real speed{}, lost{};                  // along the surface: m/s after the step; J, to friction
-};
-
-// The impulses of a step's contacts, for the next step; `key`: touches.hpp.
-template <class Real, std::size_t Most>
-struct kept_impulses {
-  std::size_t count = 0;
-  std::array<int, Most> keys{};
-  std::array<triple<Real>, Most> impulses{};  // in the world, N s
-
-  // Contacts mostly stay in their order, so `near` is the first place to look.
-  constexpr triple<Real> of(int key, std::size_t near) const {
-    if (near < count && keys[near] == key) return impulses[near];
-    for (std::size_t k = 0; k < count; ++k)
-      if (keys[k] == key) return impulses[k];
-    return {};
-  }
 };
 
 // Of two changes of the velocities, without and with contacts: the smaller one, or none if they go two ways.
@@ -65,6 +50,7 @@ public:
   using touches = touches_in_step<R, Real>;
   using motion = tree_motion<Real, tree::coordinates, tree::floats>;
   static constexpr std::size_t most = touches::most;
+  static constexpr bool has_own = probes::touches_itself && !is_in_lanes<Real>;
   using contact = contact_on_branch<R, Real>;
   using impulses = kept_impulses<Real, most>;
 
@@ -72,6 +58,7 @@ public:
   void solve(
       tree_step<R, Real>& step, const motion& m, const surroundings& around, impulses& last, double h) {
     found.find(step, around.under);
+    if constexpr (has_own) found.find_own(step);
     if (found.count > 0) {
       prepare(step, m, around, last, h);
       solve_contacts(laws, found.count, meeting);
@@ -91,6 +78,7 @@ public:
                        double gravity) {
     moving.drift(around, h / 2);
     found.find(step, around.under);
+    if constexpr (has_own) found.find_own(step);
     found.find_around(step, around, moving, after);
     const triple<Real> falls{Real(0.0), Real(0.0), Real(-gravity * h)};
     for (std::size_t i = 0; i < around.balls.count; ++i)
@@ -121,11 +109,30 @@ public:
       made.speed = root(to[0] * to[0] + to[1] * to[1]);
       made.lost = Real(-0.5) * (p[1] * (from[0] + to[0]) + p[2] * (from[1] + to[1]));
       f(made);
+      if constexpr (has_own) {
+        if (t.own < 0) continue;
+        made.shape = t.own, made.lost = Real(0.0);  // the first shape has it
+        made.normal = Real(-1.0) * made.normal, made.force = Real(-1.0) * made.force;
+        f(made);
+      }
     }
   }
 
 private:
   static constexpr auto no_more = [](std::size_t) {};
+
+  // Of a contact of the robot with itself: what its first shape moves.
+  contact* second_of(std::size_t k) {
+    if constexpr (has_own)
+      if (found.all[k].against) return &seconds[k];
+    return nullptr;
+  }
+  // `f(a branch of the contact, its last row)`
+  template <class F>
+  void each_branch(std::size_t k, F f) {
+    f(contacts[k], *found.all[k].of);
+    if (contact* const second = second_of(k)) f(*second, *found.all[k].against);
+  }
 
   triple<Real> impulse(std::size_t k) const {
     const auto& p = laws[k].impulse;
@@ -250,14 +257,25 @@ private:
       const auto& t = found.all[k];
       contact_law<Real>& l = laws.make(k);
       l.give = Real(give);
-      l.friction = Real(!has_more || t.on_ground ? under.contact.friction : around.friction);
+      l.friction = Real(t.on_ground || !(has_more || has_own) ? under.contact.friction : around.friction);
       l.bias = between(Real(0.0), Real(back) * (t.depth - Real(under.surface_layer)),
                        Real(under.correcting_speed));
       x.set_tangents(t.normal);
       x.fill(step, *t.of, t.at, l, speed, scale);
+      contact* second = nullptr;
+      if (has_own && t.against) {
+        second = &seconds.make(k);
+        second->fill_second(step, *t.against, t.at, x, l, speed, scale);
+      }
       see(k);
       l.is_cone = !under.contact.pyramid;
-      x.turn_tangents(l);
+      Real g[6]{};
+      x.add_own(g);
+      if (second) {
+        second->add_own(g);
+        contact::add_own(contact::with_common(*t.of, *t.against, x.w, second->w), g);
+      }
+      x.turn_tangents(l, g, second);
       if constexpr (has_more)
         for (std::size_t r = 0; r < 3; ++r) l.own[r] = l.own[r] + x.loose[r < 1 ? 0 : 1];
       // Of a point that can't move along the surface the speed is 0, and any impulse would do: none.
@@ -269,30 +287,43 @@ private:
     for (std::size_t k = 0; k < found.count; ++k)
       for (std::size_t j = 0; j < k; ++j) {
         contact_block<Real>&one = meeting[k][j], &other = meeting[j][k];
-        contact::with_common(*found.all[k].of, *found.all[j].of, contacts[k].w, contacts[j].w, one);
+        one = contact::with_common(*found.all[k].of, *found.all[j].of, contacts[k].w, contacts[j].w);
+        if (has_own) add_second_branches(k, j, one);
         for (std::size_t r = 0; r < 3; ++r)
           for (std::size_t s = 0; s < 3; ++s) other[3 * r + s] = one[3 * s + r];
       }
   }
+  void add_second_branches(std::size_t k, std::size_t j, contact_block<Real>& to) {
+    each_branch(k, [&](const contact& a, const probe& p) {
+      each_branch(j, [&](const contact& b, const probe& q) {
+        if (&a == &contacts[k] && &b == &contacts[j]) return;
+        const contact_block<Real> more = contact::with_common(p, q, a.w, b.w);
+        for (std::size_t i = 0; i < more.size(); ++i) to[i] = to[i] + more[i];
+      });
+    });
+  }
   void apply(tree_step<R, Real>& step) {
     typename on_links<R, Real>::vector z{};
     for (std::size_t k = 0; k < found.count; ++k) {
-      const contact& x = contacts[k];
       const auto& p = laws[k].impulse;
-      const auto tip = static_cast<std::size_t>(found.all[k].of->tip);
-      for (std::size_t i = 0; i < x.length; ++i) {
-        Real& sum = z[static_cast<std::size_t>(tree::branches.way[tip][i])];
-        sum = sum + (x.w[0][i] * p[0] + x.w[1][i] * p[1] + x.w[2][i] * p[2]);
-      }
+      each_branch(k, [&](const contact& x, const probe& of) {
+        const auto& way = tree::branches.way[static_cast<std::size_t>(of.tip)];
+        for (std::size_t i = 0; i < x.length; ++i) {
+          Real& sum = z[static_cast<std::size_t>(way[i])];
+          sum = sum + (x.w[0][i] * p[0] + x.w[1][i] * p[1] + x.w[2][i] * p[2]);
+        }
+      });
     }
     for (std::size_t k = 0; k < found.count; ++k) {
-      contact& x = contacts[k];
-      const auto tip = static_cast<std::size_t>(found.all[k].of->tip);
-      x.slip = {laws[k].speed[1], laws[k].speed[2]};
-      for (std::size_t i = 0; i < x.length; ++i) {
-        const Real& change = z[static_cast<std::size_t>(tree::branches.way[tip][i])];
-        for (std::size_t r = 0; r < 2; ++r) x.slip[r] = x.slip[r] + x.w[r + 1][i] * change;
-      }
+      auto& slip = contacts[k].slip;
+      slip = {laws[k].speed[1], laws[k].speed[2]};
+      each_branch(k, [&](const contact& x, const probe& of) {
+        const auto& way = tree::branches.way[static_cast<std::size_t>(of.tip)];
+        for (std::size_t i = 0; i < x.length; ++i) {
+          const Real& change = z[static_cast<std::size_t>(way[i])];
+          for (std::size_t r = 0; r < 2; ++r) slip[r] = slip[r] + x.w[r + 1][i] * change;
+        }
+      });
     }
     for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * root(step.now.mass.inverse[k]);
     limb_solution<R, Real>::forward(step.now.mass, z);
@@ -301,6 +332,7 @@ private:
 
   touches found;
   slots<contact, most> contacts;
+  slots<contact, has_own ? most : 1> seconds;  // second branches
   slots<contact_law<Real>, most> laws;
   std::array<std::array<contact_block<Real>, most>, most> meeting;
 };

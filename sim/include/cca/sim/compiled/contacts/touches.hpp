@@ -13,6 +13,8 @@
 #include <cca/sim/compiled/around/ground_edges.hpp>
 #include <cca/sim/compiled/around/surroundings.hpp>
 #include <cca/sim/compiled/contacts/contact_solver.hpp>
+#include <cca/sim/compiled/contacts/own_touches.hpp>
+#include <cca/sim/compiled/contacts/shapes_in_step.hpp>
 #include <cca/sim/compiled/contacts/slots.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/probes.hpp>
@@ -30,6 +32,8 @@ struct touch_in_step {
   int box = none;                // what is touched: a box
   int into = none, from = none;  // balls
   bool on_ground = false;
+  const probe* against = nullptr;  // what is touched: another shape of the robot, which moves
+  int own = none;                  // that shape, or one on a base that is held
   Real depth{};
   triple<Real> normal{}, at{};  // in the world
 
@@ -42,6 +46,7 @@ public:
   using tree = compiled_tree<R>;
   using probes = probes_of<R>;
   using step_type = tree_step<R, Real>;
+  using shapes = shapes_in_step<R, Real>;
   using one = touch_in_step<Real>;
   static constexpr std::size_t on_edges = edge_touch<Real>::most * probes::long_shapes;
   static constexpr std::size_t most = is_in_lanes<Real> ? most_contacts<Real>(probes::count + on_edges) : 32;
@@ -57,6 +62,21 @@ public:
         find_on_ground(step, under);
         if (probes::long_shapes > 0 && !under.profile.is_level()) find_on_edges(step, under);
       }
+  }
+  // Of the robot's shapes with each other.
+  void find_own(const step_type& step) {
+    for (std::size_t i = 0; i < probes::own_pairs.size(); ++i)
+      own_touches<R, Real>::find(step, i,
+                                 [&](std::size_t first, std::size_t second, int feature, const Real& depth,
+                                     const triple<Real>& at, const triple<Real>& normal) {
+                                   one t;
+                                   const probe* const moved = moving(second);
+                                   t.of = moved ? moved : &nothing;
+                                   t.against = moving(first), t.own = static_cast<int>(first);
+                                   t.key = key_of_own(i, static_cast<std::size_t>(feature));
+                                   t.depth = depth, t.at = at, t.normal = normal;
+                                   add(t);
+                                 });
   }
   // Beside those on the ground. `after`: of the beat's begin, s.
   void find_around(const step_type& step,
@@ -77,12 +97,20 @@ public:
 private:
   static constexpr triple<Real> real(const triple<double>& v) { return {Real(v[0]), Real(v[1]), Real(v[2])}; }
 
+  // Null: of a base that is held.
+  static const probe* moving(std::size_t shape) {
+    return probes::moves(probes::shapes[shape]) ? &probes::all[probes::first[shape]] : nullptr;
+  }
+
   // Numbers of things, for keys: robot's shapes and balls with boxes and balls. Smaller keys are points on
   // the ground, and negative ones edges of it.
   static constexpr std::size_t features = 8, balls_at = boxes_around::most,
                                things = balls_at + balls_around::most, beyond_ground = 1 << 20;
   static constexpr int key_of(std::size_t first, std::size_t second, std::size_t feature) {
     return static_cast<int>(beyond_ground + (first * things + second) * features + feature);
+  }
+  static constexpr int key_of_own(std::size_t pair, std::size_t feature) {
+    return static_cast<int>((std::size_t{1} << 28) + pair * features + feature);
   }
   static constexpr std::size_t ball_key(std::size_t ball) { return probes::shape_count + ball; }
 
@@ -143,10 +171,10 @@ private:
       const placed_shape& shape = probes::shapes[s];
       const bool is_box = shape.form.kind == robots::shape_kind::box;
       if (!probes::moves(shape) || !probes::is_long(shape)) continue;
-      const triple<Real> middle = middle_of(step, shape);
+      const triple<Real> middle = shapes::middle(step, shape);
       const double reach = probes::reach(shape);
       if (!is_edge_near(under, middle, reach)) continue;
-      const auto axes = axes_of(step, shape);
+      const auto axes = shapes::axes(step, shape);
       const auto& size = shape.form.size;
       const auto span = [&](std::size_t k, double whole) { return Real(whole / 2) * axes[k]; };
       const auto found =
@@ -167,17 +195,6 @@ private:
     }
   }
 
-  static triple<Real> middle_of(const step_type& step, const placed_shape& shape) {
-    return step.base.at + step.base.direction(on_links<R, Real>::point(
-                              step.now.places, shape.link, tree::point({shape.link, shape.where})));
-  }
-  static std::array<triple<Real>, 3> axes_of(const step_type& step, const placed_shape& shape) {
-    const auto in_base = on_links<R, Real>::end_frame(step.now.places, {shape.link, shape.where});
-    std::array<triple<Real>, 3> axes;
-    for (std::size_t k = 0; k < 3; ++k) axes[k] = step.base.direction(in_base.axes[k]);
-    return axes;
-  }
-
   void find_of_shape(const step_type& step,
                      const surroundings& around,
                      const motion_around<Real>& now,
@@ -192,11 +209,11 @@ private:
     const Real radius(is_box ? 0.0 : size[0]), reach(probes::reach(shape));
     box_form<Real> own{{}, {Real(size[0] / 2), Real(size[1] / 2), Real(size[2] / 2)}};
     placed_frame<Real>& frame = own.frame;
-    frame.at = middle_of(step, shape);
+    frame.at = shapes::middle(step, shape);
     bool is_turned = is_sphere;  // its axes are found where something is near
     const auto turn = [&] {
       if (is_turned) return;
-      const auto axes = axes_of(step, shape);
+      const auto axes = shapes::axes(step, shape);
       for (std::size_t k = 0; k < 3; ++k) frame.axes[k] = axes[k];
       is_turned = true;
     };

@@ -7,8 +7,8 @@
 // A contact's speed is that of the shape at the point of contact at the end of a step, along the surface,
 // relative to what it touches. The work of friction is force times speed: in the engine, which moves bodies
 // at the speeds of the step's end, that speed; in compiled physics, which moves them at the mean of the
-// speeds before and after, that mean. Plain numbers, part of a world's state; they cost some operations for
-// each contact.
+// speeds before and after, that mean. Of two shapes of one robot the first has it. Plain numbers, part of a
+// world's state; they cost some operations for each contact.
 #pragma once
 
 #include <algorithm>

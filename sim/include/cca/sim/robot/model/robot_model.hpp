@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <cca/robots/description.hpp>
+#include <cca/sim/robot/model/own_pairs.hpp>
 #include <cca/space/limits.hpp>
 
 namespace cca::sim {
@@ -73,6 +74,7 @@ struct robot_model {
   std::vector<joint_stops> stops;           // over the coordinates
   std::vector<double> start;                // over the coordinates, rad
   std::vector<placed_shape> shapes;
+  std::vector<std::array<std::size_t, 2>> own_pairs;  // of shapes that may touch each other
   std::vector<placed_spring> line_springs;
   std::vector<place_on_link> sensors;         // of forces
   std::vector<place_on_link> inertial_units;  // one for each place with inertial sensors
@@ -255,6 +257,10 @@ robot_model model_of() {
       m.shapes.push_back(detail::placed(s, part, links, m.ends, sensed));
     }
   }
+  if constexpr (robots::touches_itself<R>)
+    detail::each_own_pair(
+        m.shapes, [&](int link) { return m.links[static_cast<std::size_t>(link)].parent; },
+        [&](std::size_t i, std::size_t j) { m.own_pairs.push_back({i, j}); });
   if constexpr (requires { R::line_springs.size(); }) {
     const auto links = detail::links_by_part<body>();
     for (const robots::line_spring& s : R::line_springs)

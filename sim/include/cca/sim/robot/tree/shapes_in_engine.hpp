@@ -24,6 +24,7 @@ public:
                    const scene& around,
                    const tree_in_engine& tree) {
     for (const placed_shape& s : model.shapes) add_robot_shape(s, model, tree);
+    own_pairs_ = model.own_pairs;
     for (const ball& b : around.balls) add_ball(world, b);
     if (around.floor) floor_.reset(dCreatePlane(nullptr, 0, 0, 1, *around.floor));
     if (around.ground) ground_ = std::make_unique<ground_strips>(*around.ground);
@@ -48,6 +49,12 @@ public:
       for (const auto& b : ball_shapes_)
         all.push_back(moves ? touching::pair{shape, b.get(), static_cast<int>(i)}
                             : touching::pair{b.get(), shape, -1});
+    }
+    for (const auto& [i, j] : own_pairs_) {
+      const bool moves = dGeomGetBody(robot_[i].get()) != nullptr;
+      const std::size_t first = moves ? i : j, second = moves ? j : i;
+      all.push_back({robot_[first].get(), robot_[second].get(), static_cast<int>(first), nullptr,
+                     static_cast<int>(second)});
     }
     for (std::size_t i = 0; i < ball_shapes_.size(); ++i) {
       with_what_stands(ball_shapes_[i].get(), -1);
@@ -120,6 +127,7 @@ private:
   }
 
   std::vector<engine_handle<dxGeom>> robot_, boxes_, ball_shapes_;
+  std::vector<std::array<std::size_t, 2>> own_pairs_;
   std::vector<dBodyID> balls_;
   engine_handle<dxGeom> floor_;
   std::unique_ptr<ground_strips> ground_;  // at one address: pairs point to it

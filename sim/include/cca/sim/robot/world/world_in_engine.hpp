@@ -264,6 +264,10 @@ private:
     touching_.account(state_.pressing, [&](const touch& t) {
       feel(*model_, tree_, t, share, state_);
       state_.contacts[t.shape].add(t, step_);
+      if (t.second_shape < 0) return;
+      const auto second = static_cast<std::size_t>(t.second_shape);
+      feel(*model_, tree_, touch{second, t.at, -t.force, -t.normal, -t.slip}, share, state_);
+      state_.contacts[second].add(std::max(0.0, t.force.dot(t.normal)), t.slip.norm(), 0, step_);
     });
     dJointGroupEmpty(engine_.contacts());
     if (coupled_.exist()) {
