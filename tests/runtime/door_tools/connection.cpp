@@ -190,6 +190,13 @@ TEST_CASE("what is typed becomes a value, or is refused with unit and range") {
   CHECK_EQ(value_in(yes, "false"), json(false));
   CHECK_EQ(value_in(text, "5"), json("5"));
   CHECK_EQ(value_in(numbers, "0.5,-1"), json({0.5, -1.0}));
+  CHECK_EQ(value_in(number, "200 mHz"), json(200 * 1e-3));
+  CHECK_EQ(value_in(number, "2kHz"), json(2000.0));
+  CHECK_EQ(value_in(number, "2  Hz"), json(2.0));
+  CHECK_THROWS_WITH(value_in(number, "2 deg"), "a = 2 deg: expected a number, 0.1 to 5 Hz");
+  CHECK_EQ(value_in(numbers, "30 deg,1 rad"), json({30 * cca::detail::degree, 1.0}));
+  CHECK_THROWS_AS(value_in(number, "Hz"), cca::refused);
+  CHECK_THROWS_AS(value_in({.path = "a", .kind = "number"}, "2 Hz"), cca::refused);
   CHECK_THROWS_WITH(value_in(number, "2x"), "a = 2x: expected a number, 0.1 to 5 Hz");
   CHECK_THROWS_AS(value_in(number, "nan"), cca::refused);
   CHECK_THROWS_AS(value_in(number, ""), cca::refused);
