@@ -75,8 +75,10 @@ inline const cca::unit* units_for(std::string_view si_unit) {
   look(cca::units_of<cca::angle>), look(cca::units_of<cca::velocity>), look(cca::units_of<cca::acceleration>);
   look(cca::units_of<cca::jerk>), look(cca::units_of<cca::torque>), look(cca::units_of<cca::torque_rate>);
   look(cca::units_of<cca::stiffness>), look(cca::units_of<cca::damping>), look(cca::units_of<cca::length>);
-  look(cca::units_of<cca::speed>), look(cca::units_of<cca::force>), look(cca::units_of<cca::linear_stiffness>);
-  look(cca::units_of<cca::linear_damping>), look(cca::units_of<cca::mass>), look(cca::units_of<cca::duration>);
+  look(cca::units_of<cca::speed>), look(cca::units_of<cca::force>),
+      look(cca::units_of<cca::linear_stiffness>);
+  look(cca::units_of<cca::linear_damping>), look(cca::units_of<cca::mass>),
+      look(cca::units_of<cca::duration>);
   look(cca::units_of<cca::frequency>), look(cca::units_of<cca::power>), look(cca::units_of<cca::voltage>);
   look(cca::units_of<cca::current>);
   return found;

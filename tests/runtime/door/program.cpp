@@ -154,8 +154,8 @@ TEST_CASE("door: an option that is wrong is refused in words, and nothing runs")
   CHECK(refused({"--door-address", "0.0.0.0"}).find("open a door") != std::string::npos);
   CHECK(refused({"--door-origin", "https://lab.example"}).find("open a door") != std::string::npos);
   CHECK(refused({"--on-lost", "hold"}).find("--on-lost: open a door, by --door") != std::string::npos);
-  CHECK(refused({"--door", "0", "--twin", "/nowhere/x.wasm"}).find("--twin, or door_settings::twin: the file /nowhere/x.wasm") !=
-        std::string::npos);
+  CHECK(refused({"--door", "0", "--twin", "/nowhere/x.wasm"})
+            .find("--twin, or door_settings::twin: the file /nowhere/x.wasm") != std::string::npos);
   CHECK(refused({"--door", "0", "--door-origin", "https://lab.example/"}).find("is no address of a page") !=
         std::string::npos);
   CHECK(refused({"--door", "0", "--door-token", "/nowhere/token"}).find("/nowhere/token") !=

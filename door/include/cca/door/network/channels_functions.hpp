@@ -93,7 +93,8 @@ public:
     std::vector<std::string> paths;
     for (const std::uint16_t id : order)
       if (id < first_own_channel) paths.push_back(path_of(all.at(id).info.topic));
-    const std::string_view near = nearest_path(wrong, std::vector<std::string_view>(paths.begin(), paths.end()));
+    const std::string_view near =
+        nearest_path(wrong, std::vector<std::string_view>(paths.begin(), paths.end()));
     return near.empty() ? ", as `cca.describe` lists them" : ", did you mean `" + std::string(near) + "`?";
   }
   // For the door itself, as one more subscription.

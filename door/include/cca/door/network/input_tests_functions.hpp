@@ -48,8 +48,8 @@ inline std::string input_test::read(const json& given,
     number(axis, index);
     if (!why.empty()) return;
     if (is.empty() || !channel)
-      why = std::string(path) + " = " + text_of(json(is)) +
-            ": expected the path of an output" + channels.near_output(is);
+      why = std::string(path) + " = " + text_of(json(is)) + ": expected the path of an output" +
+            channels.near_output(is);
     else if (!(index >= 0 && index < 1000) || index != std::floor(index))
       why = std::string(axis) + ": expected the number of an axis of " + is + ", from 0 on";
     else into.channel = *channel, into.axis = static_cast<std::size_t>(index);

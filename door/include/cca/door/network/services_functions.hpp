@@ -120,8 +120,8 @@ inline std::string wrong_file(const std::string& name, std::string_view ending) 
   const std::string bounded = "/" + name + "/";
   const bool has_control =
       std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
-  if (name.empty() || name.size() > 255 || name.front() == '/' || has_control || bounded.find("/../") != std::string::npos ||
-      !name.ends_with(ending))
+  if (name.empty() || name.size() > 255 || name.front() == '/' || has_control ||
+      bounded.find("/../") != std::string::npos || !name.ends_with(ending))
     return "expected a file below the folder in which the program runs, without `..`, with the ending " +
            std::string(ending);
   return {};
