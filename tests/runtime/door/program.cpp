@@ -83,7 +83,7 @@ TEST_CASE("door: a program waits for `go on`, idles meanwhile, and records from 
   const record_test::temporary_file kept("kept");
   child walk(cca::robot_main<program<graph>>,
              {"--door", "0", "--paused", "--seconds", "0.2", "--record", kept.path});
-  walk.wait_for_error("waits to be told to go on");
+  walk.wait_for_error("waits to be told to go on: type g");
   const where at = where_in(walk.out + walk.err);
   client other(at.port, at.token);
   CHECK(other.call("/cca/take_command") == "");
@@ -100,7 +100,7 @@ TEST_CASE("door: a program waits for `go on`, idles meanwhile, and records from 
 
 TEST_CASE("door: a program that waits ends at a signal and at a stop") {
   child walk(cca::robot_main<program<graph>>, {"--door", "0", "--paused"});
-  walk.wait_for_error("waits to be told to go on");
+  walk.wait_for_error("waits to be told to go on: type g");
   const where at = where_in(walk.out + walk.err);
   client other(at.port, at.token);
   SUBCASE("a stop through the door") {
