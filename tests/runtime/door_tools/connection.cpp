@@ -14,7 +14,9 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "../../../tools/door/call/input_test.hpp"
 #include "../../../tools/door/client.hpp"
 #include "../../../tools/door/known_door.hpp"
 #include "../../../tools/door/parameter.hpp"
@@ -179,6 +181,16 @@ TEST_CASE("a token comes from an option, a file or the environment") {
   CHECK_EQ(token_option{}.value(), "xyz");
   ::unsetenv("CCA_TOKEN");
   CHECK_EQ(token_option{}.value(), "");
+}
+
+TEST_CASE("an axis goes by its name, or by its number") {
+  const std::vector<std::string> two{"shoulder", "elbow"};
+  CHECK_EQ(axis_in("axis", "elbow", two), json(1));
+  CHECK_EQ(axis_in("axis", "shoulder", two), json(0));
+  CHECK_EQ(axis_in("axis", "7", two), json(7));  // the door knows how many there are
+  CHECK_THROWS_WITH(axis_in("from_axis", "wrist", two),
+                    "from_axis = wrist: expected an axis: shoulder, elbow");
+  CHECK_THROWS_WITH(axis_in("axis", "-1", {}), "axis = -1: expected an axis, by its number from 0 on");
 }
 
 TEST_CASE("what is typed becomes a value, or is refused with unit and range") {
