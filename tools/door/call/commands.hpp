@@ -235,7 +235,7 @@ inline std::pair<std::string, json> service_of(const call_options& o) {
   const std::string& c = o.command;
   const auto file = [&] {
     json all = json::object();
-    if (w.size() > 0) all["file"] = w[0];
+    if (!w.empty()) all["file"] = w[0];
     if (w.size() > 1) all["scope"] = w[1];
     return all;
   };
