@@ -51,6 +51,7 @@ export async function checkInputTest(tools) {
   // ---- a chirp ----
   const slider = await page.$eval('#tests [name=amplitude]', ({ min, max, ariaLabel }) => ({ min, max, ariaLabel }));
   check('test of an input: the slider has the range of the declaration', slider.min === '0' && slider.max === '0.2' && /0\.2 rad/.test(slider.ariaLabel), slider);
+  check('test of an input: the output is what the servo measures', await page.$eval('#tests [name=output]', (e) => e.value) === 'drive.angle', await page.$eval('#tests [name=output]', (e) => e.value));
   await enter(page, { signal: 'chirp', output: 'drive.angle', amplitude: 0.05, frequency: 0.5, to: 50, duration: 20 });
   await begin(page);
   check('test of an input: it begins', await says(page, 'message', 'tests servo.reference by a chirp') && await says(page, 'log', '/cca/test servo.reference'), [await text(page, '#message'), await text(page, '#log li .what')]);

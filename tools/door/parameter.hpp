@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <cca/base/refused.hpp>
+#include <cca/space/units.hpp>
 
 #include "members.hpp"
 
@@ -65,6 +66,36 @@ inline std::vector<parameter> parameters_of(const json& description) {
   return all;
 }
 
+// The units that a person may type for a number in this SI unit, as a file may; null: only that.
+inline const cca::unit* units_for(std::string_view si_unit) {
+  const cca::unit* found = nullptr;
+  const auto look = [&](const cca::unit* all) {
+    if (!found && !si_unit.empty() && all->text == si_unit) found = all;
+  };
+  look(cca::units_of<cca::angle>), look(cca::units_of<cca::velocity>), look(cca::units_of<cca::acceleration>);
+  look(cca::units_of<cca::jerk>), look(cca::units_of<cca::torque>), look(cca::units_of<cca::torque_rate>);
+  look(cca::units_of<cca::stiffness>), look(cca::units_of<cca::damping>), look(cca::units_of<cca::length>);
+  look(cca::units_of<cca::speed>), look(cca::units_of<cca::force>),
+      look(cca::units_of<cca::linear_stiffness>);
+  look(cca::units_of<cca::linear_damping>), look(cca::units_of<cca::mass>),
+      look(cca::units_of<cca::duration>);
+  look(cca::units_of<cca::frequency>), look(cca::units_of<cca::power>), look(cca::units_of<cca::voltage>);
+  look(cca::units_of<cca::current>);
+  return found;
+}
+// `30 deg`, `30deg`, `0.5`. Empty: it is no number, or has no unit of this parameter.
+inline std::optional<double> number_in_unit(const std::string& text, const std::string& si_unit) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || !(value - value == 0)) return {};
+  std::string_view behind = end;
+  behind.remove_prefix(std::min(behind.find_first_not_of(' '), behind.size()));
+  if (behind.empty() || behind == si_unit) return value;
+  for (const cca::unit* one = units_for(si_unit); one && !one->text.empty(); ++one)
+    if (one->text == behind) return value * one->factor;
+  return {};
+}
+
 // What is typed, as a value for this parameter. The door checks the range. Error: cca::refused.
 inline json value_in(const parameter& of, const std::string& text) {
   const auto refuse = [&](const std::string& expected) {
@@ -73,10 +104,9 @@ inline json value_in(const parameter& of, const std::string& text) {
                         (range.empty() ? (of.unit.empty() ? "" : " in " + of.unit) : ", " + range));
   };
   const auto number = [&](const std::string& digits, const std::string& expected) {
-    char* end = nullptr;
-    const double value = std::strtod(digits.c_str(), &end);
-    if (digits.empty() || *end != '\0' || !(value - value == 0)) throw refuse(expected);
-    return value;
+    const std::optional<double> value = number_in_unit(digits, of.unit);
+    if (!value) throw refuse(expected);
+    return *value;
   };
   if (of.kind == "boolean") {
     if (text == "true" || text == "on" || text == "1") return true;

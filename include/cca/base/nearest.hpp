@@ -45,4 +45,14 @@ constexpr std::string_view nearest_name(std::string_view wrong, const Names& nam
   return best;
 }
 
+// Of paths with points between their parts: `robot.angles` means `robot.angles.whole`, which the letters
+// alone would not tell.
+template <class Paths>
+constexpr std::string_view nearest_path(std::string_view wrong, const Paths& paths) {
+  if (!wrong.empty())
+    for (const std::string_view path : paths)
+      if (path.size() > wrong.size() && path.starts_with(wrong) && path[wrong.size()] == '.') return path;
+  return nearest_name(wrong, paths);
+}
+
 }  // namespace cca::detail

@@ -174,7 +174,7 @@ private:
     if (!program.settings.paused) return c.start(), true;
     program.control.pause();
     if (!program.others.open) anew.is_at(begun_anew::place::waiting);
-    tell("waits to be told to go on");
+    tell("waits to be told to go on: type g, or say so through its door");
     bool is_told = false;
     const bool is_started =
         rests(c, interrupted, [&] { return is_told = !program.control.is_pause_wanted(); });

@@ -188,10 +188,10 @@ CCA_MAIN_INLINE void offer_door(command_line& line, run_settings& s) {
 }
 
 CCA_MAIN_INLINE void refuse_contradictions(const run_settings& s) {
-  if (!s.door &&
-      !(s.door_address.empty() && s.door_origins.empty() && s.door_token.empty() && s.twin.empty()))
+  if (!s.door && !(s.door_address.empty() && s.door_origins.empty() && s.door_token.empty() &&
+                   s.twin.empty() && s.on_lost == run_settings().on_lost))
     throw command_line_error(
-        "--door-address, --door-origin, --door-token and --twin: open a door, by --door");
+        "--door-address, --door-origin, --door-token, --twin and --on-lost: open a door, by --door");
   if (s.record.empty() && s.page.empty() && !s.record_scopes.empty())
     throw command_line_error("--record-only: say by --record or --page into which file");
   if (!s.replay.empty() && !(s.record.empty() && s.page.empty() && s.trace.empty()))

@@ -22,11 +22,19 @@ export function inputTest(panel, tests) {
   const amplitude = make('input', { type: 'range', name: 'amplitude', className: 'changes' }), shown = make('output');
   const of = () => tests.find((t) => t.input === input.value);
   const show = () => { shown.textContent = `${Number(amplitude.value).toPrecision(3)} ${of().unit}`; };
+  // What the tested component measures: an output of the same unit that is wired to another of its inputs.
+  const measured = () => {
+    const { nodes, wires, outputs: all } = door.description, test = of();
+    const found = wires.find((w) => test.input.startsWith(`${nodes[w.node].path}.`) && test.input !== `${nodes[w.node].path}.${w.input}`
+      && all[w.from].fields[0]?.unit === test.unit && outputs.includes(all[w.from].path));
+    if (found) output.value = all[found.from].path;
+  };
   const range = () => {
     const { most, axes } = of();
     Object.assign(amplitude, { min: 0, max: most, step: most / 100, value: most / 4, ariaLabel: `amplitude, 0 to ${most} ${of().unit}` });
     axis.replaceChildren(...axes.map((name, i) => new Option(name, i)));
     axis.parentElement?.toggleAttribute('hidden', axes.length < 2);
+    measured();
     show();
   };
   const axis = make('select', { name: 'axis', className: 'changes' });
@@ -49,7 +57,8 @@ export function inputTest(panel, tests) {
     const values = Object.fromEntries(['axis', 'amplitude', 'frequency', 'to', 'duration'].map((name) => [name, Number(form.elements[name].value)]));
     const texts = Object.fromEntries(['input', 'signal', 'output'].map((name) => [name, form.elements[name].value]));
     try {
-      await door.call('test', { ...texts, ...values, output_axis: 0 });
+      const numbers = door.description.outputs.find((o) => o.path === texts.output).fields.length;
+      await door.call('test', { ...texts, ...values, output_axis: Math.min(values.axis, numbers - 1) });
       panel.say(`tests ${texts.input} by a ${texts.signal}`);
       answer.replaceChildren(...drawn(await response(door)));
       panel.say(`the test of ${texts.input} is over`);

@@ -88,6 +88,12 @@ static_assert(bad_field_of<config_test::hopf>.name.empty() &&
 static_assert(edit_distance("", "abc") == 3 && edit_distance("cgp", "cpg") == 1 &&
               edit_distance("frequncy", "frequency") == 1);
 static_assert(nearest_name("frequncy", std::array<std::string_view, 2>{"gain", "frequency"}) == "frequency");
+static_assert(nearest_path("arm.angle",
+                           std::array<std::string_view, 3>{"armature", "arm.angle.whole", "arm.angel"}) ==
+              "arm.angle.whole");
+static_assert(nearest_path("arm.angles.whole", std::array<std::string_view, 1>{"arm.angle.whole"}) ==
+              "arm.angle.whole");
+static_assert(nearest_path("", std::array<std::string_view, 1>{".x"}).empty());
 static_assert(nearest_name("zzz", std::array<std::string_view, 1>{"gain"}).empty());
 
 template <class F>

@@ -126,7 +126,6 @@ TEST_CASE("Every service asks for what its name says") {
   CHECK(load.text == "a/b.toml");
   CHECK(load.scope == "gait");
   CHECK(asks("/cca/save", {{"file", "c.toml"}}, about::save).text == "c.toml");
-  CHECK(asks("/cca/save", json::object(), about::save).text.empty());  // the file of the start
   CHECK(asks("/cca/record", {{"file", "r.mcap"}}, about::record).text == "r.mcap");
   asks("/cca/end_recording", json::object(), about::end_recording);
   const auto push = asks("/cca/command/push", {{"force", -7.5}}, about::call);
@@ -162,6 +161,8 @@ TEST_CASE("A wrong call is refused, with the range and the unit") {
     CHECK(c.call("/cca/save", {{"file", file}})
               .find("expected a file below the folder in which the program runs") != std::string::npos);
   CHECK(c.call("/cca/record", {{"file", "x.toml"}}).find("with the ending .mcap") != std::string::npos);
+  for (const char* service : {"/cca/load", "/cca/save", "/cca/record"})
+    CHECK(c.call(service).find("say which file: expected a file below the folder") != std::string::npos);
   CHECK(c.call("/cca/undo") == "/cca/undo: nothing was changed");
   const auto fails = [&](std::uint32_t service, std::string_view payload, std::string_view encoding,
                          const std::string& why) {

@@ -113,6 +113,21 @@ TEST_CASE("input tests: a chirp gives the plant of the axis, and gains that make
   CHECK(now[1]["value"] == 3);
 }
 
+// As nearly every script does: it comes, reads one, and goes.
+TEST_CASE("who reads the status after a while is told of now, not of the last reader") {
+  tuned_axis r;
+  const auto beat = [&] {
+    client c(r.door.port());
+    c.subscribe(5, 60001);
+    REQUIRE(c.waits([&] { return !c.samples.empty(); }));
+    return json::parse(c.samples[0].data)["beat"].get<std::int64_t>();
+  };
+  CHECK(beat() > 0);  // not as it was before the run
+  const std::int64_t before = beat();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // 5000 beats
+  CHECK(beat() > before + 500);
+}
+
 TEST_CASE("input tests: a sine through a door") {
   tuned_axis r;
   client c(r.door.port(), r.door.token());
@@ -153,8 +168,12 @@ TEST_CASE("input tests: what is no test is refused, and says why") {
   refused("axis", 1, "axis");
   refused("axis", 0.5, "axis");
   refused("output_axis", -1, "output_axis");
-  refused("signal", "square", "expected one of off, step, sine, chirp, linear_chirp");
+  refused("signal", "square", "signal = \"square\": expected step, sine, chirp or linear_chirp");
   refused("signal", "off", "expected step");
+  refused("signal", nullptr, "expected step");
+  refused("amplitud", 0.1, "it has no argument \"amplitud\", only axis amplitude");
+  refused("output", "drive", "expected the path of an output, did you mean `drive.angle`?");
+  refused("output", "zzz", "expected the path of an output, as `cca.describe` lists them");
   refused("input", "servo.measured", "that a cca::test_input declares: servo.reference");
   refused("output", "drive.speed", "expected the path of an output");
   refused("from", "limits.unsafe", "expected the path of an output");

@@ -83,7 +83,7 @@ TEST_CASE("door: a program waits for `go on`, idles meanwhile, and records from 
   const record_test::temporary_file kept("kept");
   child walk(cca::robot_main<program<graph>>,
              {"--door", "0", "--paused", "--seconds", "0.2", "--record", kept.path});
-  walk.wait_for_error("waits to be told to go on");
+  walk.wait_for_error("waits to be told to go on: type g");
   const where at = where_in(walk.out + walk.err);
   client other(at.port, at.token);
   CHECK(other.call("/cca/take_command") == "");
@@ -100,7 +100,7 @@ TEST_CASE("door: a program waits for `go on`, idles meanwhile, and records from 
 
 TEST_CASE("door: a program that waits ends at a signal and at a stop") {
   child walk(cca::robot_main<program<graph>>, {"--door", "0", "--paused"});
-  walk.wait_for_error("waits to be told to go on");
+  walk.wait_for_error("waits to be told to go on: type g");
   const where at = where_in(walk.out + walk.err);
   client other(at.port, at.token);
   SUBCASE("a stop through the door") {
@@ -153,6 +153,9 @@ TEST_CASE("door: an option that is wrong is refused in words, and nothing runs")
   CHECK(refused({"--on-lost", "panic"}).find("expected stop, hold or go-on") != std::string::npos);
   CHECK(refused({"--door-address", "0.0.0.0"}).find("open a door") != std::string::npos);
   CHECK(refused({"--door-origin", "https://lab.example"}).find("open a door") != std::string::npos);
+  CHECK(refused({"--on-lost", "hold"}).find("--on-lost: open a door, by --door") != std::string::npos);
+  CHECK(refused({"--door", "0", "--twin", "/nowhere/x.wasm"})
+            .find("--twin, or door_settings::twin: the file /nowhere/x.wasm") != std::string::npos);
   CHECK(refused({"--door", "0", "--door-origin", "https://lab.example/"}).find("is no address of a page") !=
         std::string::npos);
   CHECK(refused({"--door", "0", "--door-token", "/nowhere/token"}).find("/nowhere/token") !=

@@ -238,6 +238,10 @@ TEST_CASE("The status comes ten times a second while somebody reads it") {
   const auto before = one.controls.status().beat;
   std::this_thread::sleep_for(300ms);
   CHECK(one.controls.status().beat == before + 1);  // nobody reads it, so nobody asks
+  // What is known by then is old: the first look only asks for a new one.
+  c.samples.clear();
+  c.subscribe(5, 60001);
+  CHECK(sample_of(c, 5, "state")["beat"].get<std::int64_t>() >= before + 3);
 }
 
 TEST_CASE("The log tells who has changed what, to who comes later too") {

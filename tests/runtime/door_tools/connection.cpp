@@ -14,7 +14,9 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "../../../tools/door/call/input_test.hpp"
 #include "../../../tools/door/client.hpp"
 #include "../../../tools/door/known_door.hpp"
 #include "../../../tools/door/parameter.hpp"
@@ -181,6 +183,16 @@ TEST_CASE("a token comes from an option, a file or the environment") {
   CHECK_EQ(token_option{}.value(), "");
 }
 
+TEST_CASE("an axis goes by its name, or by its number") {
+  const std::vector<std::string> two{"shoulder", "elbow"};
+  CHECK_EQ(axis_in("axis", "elbow", two), json(1));
+  CHECK_EQ(axis_in("axis", "shoulder", two), json(0));
+  CHECK_EQ(axis_in("axis", "7", two), json(7));  // the door knows how many there are
+  CHECK_THROWS_WITH(axis_in("from_axis", "wrist", two),
+                    "from_axis = wrist: expected an axis: shoulder, elbow");
+  CHECK_THROWS_WITH(axis_in("axis", "-1", {}), "axis = -1: expected an axis, by its number from 0 on");
+}
+
 TEST_CASE("what is typed becomes a value, or is refused with unit and range") {
   const parameter number{"a", "number", "Hz", 1.0, 0.1, 5.0, {}}, whole{"b", "integer", "", 1, {}, {}, {}},
       yes{"c", "boolean", "", true, {}, {}, {}}, text{"d", "text", "", "x", {}, {}, {"x", "y"}},
@@ -190,6 +202,13 @@ TEST_CASE("what is typed becomes a value, or is refused with unit and range") {
   CHECK_EQ(value_in(yes, "false"), json(false));
   CHECK_EQ(value_in(text, "5"), json("5"));
   CHECK_EQ(value_in(numbers, "0.5,-1"), json({0.5, -1.0}));
+  CHECK_EQ(value_in(number, "200 mHz"), json(200 * 1e-3));
+  CHECK_EQ(value_in(number, "2kHz"), json(2000.0));
+  CHECK_EQ(value_in(number, "2  Hz"), json(2.0));
+  CHECK_THROWS_WITH(value_in(number, "2 deg"), "a = 2 deg: expected a number, 0.1 to 5 Hz");
+  CHECK_EQ(value_in(numbers, "30 deg,1 rad"), json({30 * cca::detail::degree, 1.0}));
+  CHECK_THROWS_AS(value_in(number, "Hz"), cca::refused);
+  CHECK_THROWS_AS(value_in({.path = "a", .kind = "number"}, "2 Hz"), cca::refused);
   CHECK_THROWS_WITH(value_in(number, "2x"), "a = 2x: expected a number, 0.1 to 5 Hz");
   CHECK_THROWS_AS(value_in(number, "nan"), cca::refused);
   CHECK_THROWS_AS(value_in(number, ""), cca::refused);

@@ -82,8 +82,8 @@ TEST_CASE("cca-call test prints the figures of a step, and the response by a chi
   }
   CHECK_EQ(count, 60);
 
-  const ran sine = p.test(
-      {"servo.reference", "drive.angle", "sine", "amplitude=0.05", "frequency=3", "duration=2", "--json"});
+  const ran sine = p.test({"servo.reference", "drive.angle", "sine", "amplitude=0.05", "frequency=3",
+                           "duration=2", "axis=arm", "output_axis=arm", "--json"});
   const json one = json::parse(sine.out);
   CHECK_EQ(one["signal"], "sine");
   CHECK_EQ(one["frequency"], json::array({3.0}));
@@ -108,7 +108,15 @@ TEST_CASE("cca-call test says why a test is refused, and leaves nothing behind")
   refused({in, to, "step", "amplitude=much"}, "cca-call: amplitude");
   refused({in, to, "step", "amplitude"}, "expected NAME=VALUE, as amplitude=0.1");
   refused({in, to, "step", "amplitude=nan"}, "cca-call: amplitude");
-  refused({in, to, "square", "amplitude=0.1"}, "expected one of off, step, sine, chirp, linear_chirp");
+  refused({in, to, "square"}, "signal = \"square\": expected step, sine, chirp or linear_chirp");
+  refused({in, to, "step", "amplitud=0.1"}, "it has no argument \"amplitud\", only axis amplitude");
+  refused({in, to, "step", "amplitude=0.1", "axis=elbow"}, "axis = elbow: expected an axis: arm");
+  refused({in, to, "step", "amplitude=0.1", "output_axis=elbow"},
+          "output_axis = elbow: expected an axis: arm");
+  refused({in, to, "step", "amplitude=0.1", "axis=1"}, "axis = 1: expected a whole number from 0 to 0");
+  refused({in, "drive", "step", "amplitude=0.1"},
+          "output = \"drive\": expected the path of an output, did you mean "
+          "`drive.angle`?");
   refused({"servo.measured", to, "step", "amplitude=0.1"},
           "that a cca::test_input declares: servo.reference");
   refused({in, "drive.speed", "step", "amplitude=0.1"}, "expected the path of an output");

@@ -151,9 +151,8 @@ inline void watch(conversation& door, const call_options& o, std::ostream& out, 
   if (!found) {
     std::vector<std::string> paths;
     for (const channel& one : door.told().channels) paths.push_back(path_of(one.topic));
-    std::vector<std::string_view> names(paths.begin(), paths.end());
-    throw cca::refused("there is no output " + o.words[0] + meant(o.words[0], names) +
-                       "; `describe` lists all");
+    const std::string near = meant(o.words[0], std::vector<std::string_view>(paths.begin(), paths.end()));
+    throw cca::refused("there is no output " + o.words[0] + (near.empty() ? "; `describe` lists all" : near));
   }
   const channel of = *found;
   const message_schema schema(of.schema);
@@ -211,8 +210,12 @@ inline void command(conversation& door, const call_options& o, std::ostream& err
   const bool is_held = is_set(of, "held");
   if (o.hold_for && !is_held) throw cca::refused("--for: " + name + " is not held, it ends by itself");
   json arguments = json::object();
-  for (const auto& [argument, text] : assignments_in({o.words.begin() + 1, o.words.end()}))
-    arguments[argument] = value_in({.path = argument, .kind = "number"}, text);
+  for (const auto& [argument, text] : assignments_in({o.words.begin() + 1, o.words.end()})) {
+    parameter as{.path = argument, .kind = "number"};
+    for (const json& one : list_in(of, "arguments"))
+      if (text_in(one, "name") == argument) as.unit = text_in(one, "unit");
+    arguments[argument] = value_in(as, text);
+  }
 
   const command_right mine(door);
   door.call("/cca/command/" + name, arguments);
@@ -232,7 +235,7 @@ inline std::pair<std::string, json> service_of(const call_options& o) {
   const std::string& c = o.command;
   const auto file = [&] {
     json all = json::object();
-    if (w.size() > 0) all["file"] = w[0];
+    if (!w.empty()) all["file"] = w[0];
     if (w.size() > 1) all["scope"] = w[1];
     return all;
   };

@@ -152,7 +152,7 @@ private:
 // "; did you mean `gait.frequency`?", or empty.
 template <class Names>
 std::string meant(const std::string& wrong, const Names& names) {
-  const std::string_view near = cca::detail::nearest_name(wrong, names);
+  const std::string_view near = cca::detail::nearest_path(wrong, names);
   return near.empty() ? std::string() : ", did you mean `" + std::string(near) + "`?";
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/nearest.hpp>
 #include <cca/door/network/client.hpp>
 #include <cca/door/network/messages_functions.hpp>
 #include <cca/record/file/message_sink.hpp>
@@ -86,6 +87,15 @@ public:
     for (const auto& [id, one] : all)
       if (one.info.topic == topic) return id;
     return {};
+  }
+  // ", did you mean `robot.angles.whole`?", or where all are listed.
+  std::string near_output(const std::string& wrong) const {
+    std::vector<std::string> paths;
+    for (const std::uint16_t id : order)
+      if (id < first_own_channel) paths.push_back(path_of(all.at(id).info.topic));
+    const std::string_view near =
+        nearest_path(wrong, std::vector<std::string_view>(paths.begin(), paths.end()));
+    return near.empty() ? ", as `cca.describe` lists them" : ", did you mean `" + std::string(near) + "`?";
   }
   // For the door itself, as one more subscription.
   void listen(std::uint16_t channel, bool does) {

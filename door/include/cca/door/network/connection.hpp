@@ -32,7 +32,8 @@ inline std::string file_of(const std::string& name, const std::string& what) {
   std::ifstream file(name, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file || text.empty())
-    throw refused("door_settings::" + what + ": the file " + name + " can't be read, or is empty");
+    throw refused((what == "twin" ? "--twin, or " : "") + ("door_settings::" + what) + ": the file " + name +
+                  " can't be read, or is empty");
   return text;
 }
 

@@ -93,6 +93,7 @@ private:
   std::deque<undo_step> changes{};
   values known{};
   time_point watched{};
+  bool status_is_new = false;  // somebody has read it since the last look
   std::list<waiting_read> reads{};
   std::map<std::string, recording::detail::text_map> notes{};
 

@@ -248,10 +248,12 @@ inline void hub::tick(time_point now) {
 
 inline void hub::regularly(time_point now) {
   tested.rest_if_over(channels.latest, channels);
-  if (channels.is_wanted(status_channel))
-    channels.show(
-        status_channel, channels.latest,
-        status_sample(controls.status(), controls.environments(), commander_name(), clients.size()));
+  // What is known after nobody has read it is as old as the last reader: that one asks for a look, the next
+  // one is told.
+  if (!channels.is_wanted(status_channel)) status_is_new = false;
+  else if (const door_status seen = controls.status(); std::exchange(status_is_new, true))
+    channels.show(status_channel, channels.latest,
+                  status_sample(seen, controls.environments(), commander_name(), clients.size()));
   if (now - watched > std::chrono::milliseconds(500)) {
     watched = now;
     if (std::any_of(clients.begin(), clients.end(),

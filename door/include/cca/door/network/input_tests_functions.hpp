@@ -15,6 +15,7 @@
 #include <cca/door/network/input_tests.hpp>
 #include <cca/door/network/messages_functions.hpp>
 #include <cca/door/network/rights_functions.hpp>
+#include <cca/door/network/services_functions.hpp>
 
 namespace cca::detail::door_network {
 
@@ -47,8 +48,8 @@ inline std::string input_test::read(const json& given,
     number(axis, index);
     if (!why.empty()) return;
     if (is.empty() || !channel)
-      why = std::string(path) + " = " + text_of(json(is)) +
-            ": expected the path of an output, as `robot.angles`";
+      why = std::string(path) + " = " + text_of(json(is)) + ": expected the path of an output" +
+            channels.near_output(is);
     else if (!(index >= 0 && index < 1000) || index != std::floor(index))
       why = std::string(axis) + ": expected the number of an axis of " + is + ", from 0 on";
     else into.channel = *channel, into.axis = static_cast<std::size_t>(index);
@@ -63,7 +64,8 @@ inline std::string input_test::read(const json& given,
   if (!(axis >= 0 && axis < axes) || axis != std::floor(axis))
     return "axis = " + number_text(axis) + ": expected a whole number from 0 to " + number_text(axes - 1);
   to.axis = static_cast<std::int64_t>(axis);
-  if (to.signal.empty() || to.signal == "off") return "signal: expected step, sine, chirp or linear_chirp";
+  if (to.signal != "step" && to.signal != "sine" && to.signal != "chirp" && to.signal != "linear_chirp")
+    return "signal = " + text_of(json(to.signal)) + ": expected step, sine, chirp or linear_chirp";
   if (to.amplitude == 0)
     return "amplitude: expected one that is not 0, at most " + number_text(to.of.most) +
            (to.of.unit.empty() ? "" : " " + to.of.unit);
@@ -225,6 +227,8 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
   if (tested.is_running(channels.latest))
     return refuse("a test of " + tested.input() + " runs: wait for its end, or call /cca/end_test");
   input_test next;
+  if (const std::string why = unknown_argument(services[one.service - 1], given); !why.empty())
+    return refuse(why);
   if (const std::string why = next.read(given, controls.description().tests, channels); !why.empty())
     return refuse(why);
   tested.end(channels);

@@ -192,6 +192,10 @@ inline std::string topic_of(std::string path) {
   std::replace(path.begin(), path.end(), '.', '/');
   return path.starts_with("/") ? path : "/" + path;
 }
+inline std::string path_of(std::string topic) {
+  std::replace(topic.begin(), topic.end(), '/', '.');
+  return topic.substr(topic.starts_with('.') ? 1 : 0);
+}
 // The node of a port: the longest that its path begins with.
 inline std::string node_of(const std::string& port, const std::vector<std::string>& nodes) {
   std::string best = port.substr(0, port.find_last_of("./"));

@@ -117,14 +117,28 @@ inline std::string advertised_services(const std::vector<door_service>& all) {
 
 // A file that a client names is below the folder in which the program runs, and has the ending of its kind.
 inline std::string wrong_file(const std::string& name, std::string_view ending) {
-  if (name.empty()) return {};
   const std::string bounded = "/" + name + "/";
   const bool has_control =
       std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
-  if (name.size() > 255 || name.front() == '/' || has_control || bounded.find("/../") != std::string::npos ||
-      !name.ends_with(ending))
+  if (name.empty() || name.size() > 255 || name.front() == '/' || has_control ||
+      bounded.find("/../") != std::string::npos || !name.ends_with(ending))
     return "expected a file below the folder in which the program runs, without `..`, with the ending " +
            std::string(ending);
+  return {};
+}
+
+// Empty: it has all these arguments.
+inline std::string unknown_argument(const door_service& of, const json& given) {
+  for (const auto& [name, value] : given.items()) {
+    const bool known = std::any_of(of.numbers.begin(), of.numbers.end(),
+                                   [&](const auto& one) { return one.name == name; }) ||
+                       std::find(of.texts.begin(), of.texts.end(), name) != of.texts.end();
+    if (known) continue;
+    std::string names;
+    for (const auto& one : of.numbers) names += " " + one.name;
+    for (const auto& one : of.texts) names += " " + one;
+    return "it has no argument " + text_of(name) + (names.empty() ? ", and no other" : ", only" + names);
+  }
   return {};
 }
 
@@ -135,17 +149,7 @@ inline std::optional<door_request> request_of(const door_service& of, const json
     why = of.name + ": " + what;
     return std::nullopt;
   };
-  for (const auto& [name, value] : given.items()) {
-    const bool known = std::any_of(of.numbers.begin(), of.numbers.end(),
-                                   [&](const auto& one) { return one.name == name; }) ||
-                       std::find(of.texts.begin(), of.texts.end(), name) != of.texts.end();
-    if (known) continue;
-    std::string names;
-    for (const auto& one : of.numbers) names += " " + one.name;
-    for (const auto& one : of.texts) names += " " + one;
-    return refuse("it has no argument " + text_of(name) +
-                  (names.empty() ? ", and no other" : ", only" + names));
-  }
+  if (const std::string wrong = unknown_argument(of, given); !wrong.empty()) return refuse(wrong);
   for (const auto& one : of.numbers) {
     const json* number = member(given, one.name.c_str());
     const std::optional<double> lower = one.lower < one.upper ? std::optional(one.lower) : std::nullopt;
@@ -173,7 +177,8 @@ inline std::optional<door_request> request_of(const door_service& of, const json
   if (of.about == about::load || of.about == about::save || of.about == about::record)
     if (const std::string wrong = wrong_file(request.text, of.about == about::record ? ".mcap" : ".toml");
         !wrong.empty())
-      return refuse("file = " + text_of(request.text) + ": " + wrong);
+      return refuse((request.text.empty() ? "say which file: " : "file = " + text_of(request.text) + ": ") +
+                    wrong);
   return request;
 }
 
