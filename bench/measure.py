@@ -287,15 +287,15 @@ def modes(work):
     return rows
 
 
-OBSERVED = ("plain", "recordable", "traceable", "both", "recorded", "traced", "both_recorded")
+OBSERVED = ("plain", "recordable", "traceable", "both", "recorded", "open", "traced", "both_recorded")
 
 
 def observed(work):
-    """What recordings and traces cost a beat of the trot's controller."""
+    """What recordings, doors and traces cost a beat of the trot's controller."""
     rows = []
     for compiler in COMPILERS:
         program = work / "observed"
-        build(compiler, ["-O2", "-I", str(ROOT / "record/include")], HERE / "observed.cpp", program, "-lzstd")
+        build(compiler, ["-O2", "-I", str(ROOT / "record/include"), "-I", str(ROOT / "door/include")], HERE / "observed.cpp", program, "-lzstd")
         row = {"compiler": compiler} | {what: instructions(program, what, within=("*bench::one_beat*",)) for what in OBSERVED}
         rows.append(row)
         print("observed", row, flush=True)

@@ -479,14 +479,14 @@ The bound of a switch is a beat.
 
 def observed(part):
     names = {"plain": "as it is", "recordable": "recordable, not recorded", "traceable": "traceable, not traced",
-             "both": "both, neither recorded nor traced", "recorded": "recordable, recorded", "traced": "traceable, traced",
+             "both": "both, neither recorded nor traced", "recorded": "recordable, recorded", "open": "recordable, an open door", "traced": "traceable, traced",
              "both_recorded": "both, recorded"}
     rows = [[name, *(f"{number(r[what])} ({100 * (r[what] / r['plain'] - 1):+.1f} %)" for r in part["data"])] for what, name in names.items()]
-    return f"""## Recordings and traces
+    return f"""## Recordings, doors and traces
 
-Instructions of a beat of the trot's controller, `-O2` (`bench/observed.cpp`); those of the thread that writes don't count.
+Instructions of a beat of the trot's controller, `-O2` (`bench/observed.cpp`); those of other threads don't count.
 A traced beat also reads the clock for each firing, of which only the call is counted here.
-The bound of a recording is 5 %.
+The bound of a recording and of an open door is 5 %.
 
 {table(["graph", *(r["compiler"] for r in part["data"])], rows)}
 {measured(part)}"""

@@ -93,9 +93,10 @@ private:
   template <class Key>
   CCA_INLINE void run_beat() noexcept {
     detail::beat_outcome outcome;
-    detail::begin_observed<Key, Graph>(state_of_all, k);
-    detail::run_beat_of_graph<Key>(state_of_all, outcome, k);
-    detail::end_observed<Key>(state_of_all);
+    const std::int64_t beat = k;
+    const auto frame = detail::begin_observed<Key>(state_of_all, beat);
+    detail::run_beat_of_graph<Key>(state_of_all, outcome, beat, frame);
+    detail::end_observed<Key>(state_of_all, frame);
     end_beat(outcome);
   }
   CCA_INLINE void end_beat([[maybe_unused]] const detail::beat_outcome& outcome) noexcept {

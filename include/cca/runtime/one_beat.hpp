@@ -51,8 +51,11 @@ struct calls_of_beat<Graph,
                      std::integer_sequence<int, BeatArray...>> {
   // Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of
   // them in memory (docs/compilers.md).
-  CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
-    run_calls({state, outcome, k, derived_rooms<Graph>(), derived_marks<Graph>(),
+  CCA_INLINE static void run(controller_state<Graph>& state,
+                             beat_outcome& outcome,
+                             std::int64_t k,
+                             frame_of_beat<Graph> frame) {
+    run_calls({state, outcome, k, frame, derived_rooms<Graph>(), derived_marks<Graph>(),
                stored_array<Graph, BeatArray>()...});
   }
 
@@ -91,17 +94,21 @@ template <class Graph, class Parts>
 struct long_beat;
 template <class Graph, int... Part>
 struct long_beat<Graph, std::integer_sequence<int, Part...>> {
-  CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
-    (void)((run_part<Part * calls_in_part<Graph>>(state, outcome, k), goes_on(outcome)) && ...);
+  CCA_INLINE static void run(controller_state<Graph>& state,
+                             beat_outcome& outcome,
+                             std::int64_t k,
+                             frame_of_beat<Graph> frame) {
+    (void)((run_part<Part * calls_in_part<Graph>>(state, outcome, k, frame), goes_on(outcome)) && ...);
   }
 
 private:
   template <int First>
   [[gnu::noinline]] CCA_BEAT static void run_part(controller_state<Graph>& state,
                                                   beat_outcome& outcome,
-                                                  std::int64_t k) noexcept {
+                                                  std::int64_t k,
+                                                  frame_of_beat<Graph> frame) noexcept {
     constexpr int left = counts_of<Graph>.order_count - First;
-    part_of_beat<Graph, First, std::min(calls_in_part<Graph>, left)>::run(state, outcome, k);
+    part_of_beat<Graph, First, std::min(calls_in_part<Graph>, left)>::run(state, outcome, k, frame);
   }
 };
 
@@ -116,9 +123,12 @@ using beat_of_graph = std::conditional_t<
 
 // The same after what has been under way to queues has arrived, in a graph that has such queues.
 template <class Graph>
-CCA_INLINE void run_beat_of_graph(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
-  if constexpr (late_queues<Graph>::size() == 0) beat_of_graph<Graph>::run(state, outcome, k);
-  else if (begins<Graph>(state, outcome, k)) beat_of_graph<Graph>::run(state, outcome, k);
+CCA_INLINE void run_beat_of_graph(controller_state<Graph>& state,
+                                  beat_outcome& outcome,
+                                  std::int64_t k,
+                                  frame_of_beat<Graph> frame) {
+  if constexpr (late_queues<Graph>::size() == 0) beat_of_graph<Graph>::run(state, outcome, k, frame);
+  else if (begins<Graph>(state, outcome, k)) beat_of_graph<Graph>::run(state, outcome, k, frame);
   else outcome.turns = 0;
 }
 

@@ -65,7 +65,7 @@ CCA_INLINE void publish_taken(const beat_context<Graph>& b, const Vector& v, std
   constexpr const auto& out = output_of<Graph, Output>;
   if constexpr (at.array >= 0) b.template at<at.array>(at.index).put(v, origin, b.k);
   if constexpr (out.leaves) b.state.template send<Output>(v, origin, b.k);
-  if constexpr (is_probed<Graph>) tell_recorder<Graph>(b.state.frame, Output, v, origin);
+  if constexpr (is_probed<Graph>) tell_recorder<Graph>(b.frame, Output, v, origin);
 }
 
 // The part that a result of a call stops or starts.
@@ -125,7 +125,7 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
       play_into_queues<Graph, output, queue>(b, coordinates, returned.origin());
     else if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, returned.origin());
     if constexpr (is_probed<Graph>)
-      tell_recorder<Graph>(b.state.frame, at.first_output + Port, coordinates, returned.origin());
+      tell_recorder<Graph>(b.frame, at.first_output + Port, coordinates, returned.origin());
   }
 }
 

@@ -298,6 +298,7 @@ struct references_to_arrays<Graph, std::integer_sequence<int, Array...>>
 // Its name does not list its arrays (docs/compilers.md).
 template <class Graph>
 struct beat_context : references_to_arrays<Graph>,
+                      frame_of_beat<Graph>,
                       derived_in_beat<Graph>,
                       resting_parts<parts_kept<Graph>>,
                       after_missed<layout_of<Graph>.missed_count> {
@@ -309,10 +310,12 @@ struct beat_context : references_to_arrays<Graph>,
   CCA_INLINE beat_context(controller_state<Graph>& s,
                           beat_outcome& o,
                           std::int64_t beat,
+                          frame_of_beat<Graph> told,
                           derived_rooms<Graph>&& its_rooms,
                           derived_marks<Graph>&& its_marks,
                           Arrays&&... samples)
       : references_to_arrays<Graph>(samples...),
+        frame_of_beat<Graph>(told),
         derived_in_beat<Graph>(its_rooms, its_marks),
         resting_parts<parts_kept<Graph>>(s),
         after_missed<layout_of<Graph>.missed_count>(s, beat),

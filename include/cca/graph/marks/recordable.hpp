@@ -9,6 +9,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 
 #include <cca/graph/layout/types.hpp>
 
@@ -39,6 +40,15 @@ template <class Graph>
 inline constexpr bool is_probed = false;
 template <class Graph>
 inline constexpr bool is_probed<probed<Graph>> = true;
+
+// Where an observed beat writes what it publishes. A variable of the beat: a member of the state would be
+// loaded anew after each store into the frame.
+template <class Graph>
+struct frame_of_beat {};
+template <class Graph>
+struct frame_of_beat<probed<Graph>> {
+  std::int64_t* frame = nullptr;
+};
 
 // Only its second beat ever runs, and may be slow: a replay. The usual one is not compiled.
 template <class Graph>

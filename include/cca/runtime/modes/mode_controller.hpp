@@ -170,11 +170,12 @@ private:
   template <int I, class Key>
   CCA_INLINE void run_beat_in() noexcept {
     detail::beat_outcome outcome;
-    detail::begin_observed<Key, part<I>>(
-        state_of_all, k,
+    const std::int64_t beat = k;
+    const auto frame = detail::begin_observed<Key>(
+        state_of_all, beat,
         detail::trace_name(detail::first_node_of_mode<M, I>, detail::phase_of_beat::process));
-    detail::run_beat_of_graph<Key>(state_of_all, outcome, k);
-    detail::end_observed<Key>(state_of_all);
+    detail::run_beat_of_graph<Key>(state_of_all, outcome, beat, frame);
+    detail::end_observed<Key>(state_of_all, frame);
     ++k;
     if constexpr (detail::counts_of<part<I>>.may_fault)
       if (outcome.fault) return fail_in<I>(outcome);

@@ -119,11 +119,9 @@ inline constexpr auto frame_layout_of<Mode> = [] {
   frame.words = whole.words;
   for (std::size_t o = 0; o < array_size(outputs); ++o) {
     const auto shared = array_size(view.shared_output(static_cast<int>(o)));
-    const auto& call = plan.calls[array_size(plan.outputs[o].call)];
     frame.origin[o] = whole.origin[shared];
     frame.at[o] = whole.at[shared];
     frame.size[o] = whole.size[shared];
-    frame.in_each_beat[o] = published(call, plan.outputs[o]).every_beat() && !may_be_cut<Mode>;
   }
   return frame;
 }();

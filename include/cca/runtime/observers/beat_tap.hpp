@@ -65,27 +65,26 @@ class beat_tap : public loop_tap {
 public:
   explicit beat_tap(std::size_t frames) : ring(frames) {}
 
-  // The frame of a beat. What is published in each beat needs no mark. `Loop`: the graph, or one of its
-  // modes.
-  template <class Loop = Graph>
+  // The frame of a beat, in which nothing is published yet.
   CCA_INLINE std::int64_t* begin(std::int64_t k) noexcept {
     std::int64_t* const frame = ring.frame();
     frame[0] = k;
-    forget<chosen<frame_layout_of<Loop>.origins + 1, is_seldom_written<Loop>>>::in(frame);
     return frame;
   }
-  CCA_INLINE void end() noexcept {
-    if (!ring.commit()) [[unlikely]]
-      wait_for_room();
+  CCA_INLINE void end(std::int64_t* frame) noexcept {
+    if (!ring.commit(frame)) [[unlikely]]
+      has_no_room();
   }
+  // The beat has no frame after all.
+  void drop() noexcept { ring.drop(); }
 
   virtual void parameters_changed(const controller_state<Graph>&, std::int64_t k) noexcept = 0;
 
 protected:
-  // The next frame would be lost.
-  virtual void wait_for_room() noexcept {}
+  // For the frame of a beat.
+  virtual void has_no_room() noexcept { ring.drop(); }
 
-  frame_ring<frame_layout_of<Graph>.words> ring;
+  frame_ring<frame_layout_of<Graph>.words, frame_layout_of<Graph>.origins> ring;
 };
 
 // A copy of a controller is not recorded. The recording of a controller ends when another one is assigned to
@@ -113,26 +112,25 @@ private:
 template <class State, class Graph>
 struct frame_link {
   tap_pointer<Graph> tap{};
-  std::int64_t* frame = nullptr;  // of this beat
 
   bool is_observed() const noexcept {
     if constexpr (has_trace_hooks<probed<Graph>>)
       if (self().trace.get()) return true;
     return tap.get() != nullptr;
   }
-  // `Loop`: the graph, or one of its modes. Where it is only traced, the frame is one that nobody reads.
-  template <class Loop = Graph>
-  CCA_INLINE void begin_frame(std::int64_t k) noexcept {
+  // Where it is only traced, the frame is one that nobody reads.
+  CCA_INLINE std::int64_t* begin_frame(std::int64_t k) const noexcept {
     auto* const to = tap.get();
     if constexpr (has_trace_hooks<probed<Graph>>)
-      if (!to) return void(frame = self().trace.get()->unread_frame());
-    frame = to->template begin<Loop>(k);
+      if (!to) return self().trace.get()->unread_frame();
+    return to->begin(k);
   }
-  CCA_INLINE void end_frame() noexcept {
+  CCA_INLINE void end_frame(std::int64_t* frame, bool is_kept) const noexcept {
     auto* const to = tap.get();
     if constexpr (has_trace_hooks<probed<Graph>>)
       if (!to) return;
-    to->end();
+    if (is_kept) to->end(frame);
+    else to->drop();
   }
 
 private:

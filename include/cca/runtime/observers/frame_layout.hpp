@@ -29,16 +29,11 @@ template <int Outputs>
 struct frame_layout {
   std::array<int, array_size(Outputs + 1)> origin{};  // -1: published by another loop
   std::array<int, array_size(Outputs + 1)> at{};
-  std::array<int, array_size(Outputs + 1)> size{};           // coordinates
-  std::array<bool, array_size(Outputs + 1)> in_each_beat{};  // surely published
-  std::array<int, array_size(Outputs + 1)> earlier{};        // 0: none
-  int origins = 0;                                           // in the words from 1 on
+  std::array<int, array_size(Outputs + 1)> size{};     // coordinates
+  std::array<int, array_size(Outputs + 1)> earlier{};  // 0: none
+  int origins = 0;                                     // in the words from 1 on
   int words = 0;
 };
-
-// Whether a beat may end before its last call. That of an environment may, by a fault elsewhere.
-template <class Graph>
-inline constexpr bool may_be_cut = counts_of<Graph>.may_fault;
 
 // Outputs of another loop that this one tells a recorder of.
 template <class Graph>
@@ -68,7 +63,6 @@ inline constexpr auto frame_layout_of = [] {
     const auto& call = plan.calls[array_size(out.call)];
     frame.size[o] = port_of(call, out).space->size;
     if (frame.origin[o] < 0) continue;
-    frame.in_each_beat[o] = published(call, out).every_beat() && !may_be_cut<Graph>;
     frame.at[o] = frame.words;
     frame.words += frame.size[o];
     if (const int most = told_earlier<Graph>::most(o); most > 0) {
@@ -82,30 +76,5 @@ inline constexpr auto frame_layout_of = [] {
 
 template <class Graph>
 inline constexpr const auto& frame_layout_of<probed<Graph>> = frame_layout_of<Graph>;
-
-// The words whose outputs are not surely published in each beat: they need a mark.
-template <class Graph>
-struct is_seldom_written {
-  static constexpr auto seldom = [] {
-    std::array<bool, array_size(frame_layout_of<Graph>.origins + 1)> words{};
-    for (std::size_t w = 1; w < words.size(); ++w) words[w] = true;
-    for (std::size_t o = 0; o < array_size(counts_of<Graph>.output_count); ++o)
-      if (frame_layout_of<Graph>.in_each_beat[o]) words[array_size(frame_layout_of<Graph>.origin[o])] = false;
-    return words;
-  }();
-  static constexpr bool holds(std::size_t word) { return seldom[word]; }
-};
-
-// Marks outputs as not published. A list: a loop would not be unrolled, and a fold has at most 256 operands
-// (docs/compilers.md).
-template <class Words>
-struct forget;
-template <int... Word>
-struct forget<std::integer_sequence<int, Word...>> {
-  CCA_INLINE static void in([[maybe_unused]] std::int64_t* frame) {
-    const int all[] = {0, (frame[Word] = never, 0)...};
-    (void)all;
-  }
-};
 
 }  // namespace cca::detail

@@ -67,20 +67,24 @@ CCA_INLINE loop_observers observers_in([[maybe_unused]] const State& state) {
   return all;
 }
 
-// Around a beat: a frame for a recorder, and the time for a tracer. `Loop`: the graph, or its mode.
-// `first_name`: trace_track::begin.
-template <class Key, class Loop, class State>
-CCA_INLINE void begin_observed([[maybe_unused]] State& state, std::int64_t k, std::int32_t first_name = 0) {
-  if constexpr (is_probed<Key>) state.template begin_frame<Loop>(k);
+// Around a beat: a frame for a recorder, and the time for a tracer. `first_name`: trace_track::begin.
+template <class Key, class State>
+CCA_INLINE frame_of_beat<Key> begin_observed([[maybe_unused]] const State& state,
+                                             [[maybe_unused]] std::int64_t k,
+                                             std::int32_t first_name = 0) {
+  frame_of_beat<Key> begun;
+  if constexpr (is_probed<Key>) begun.frame = state.begin_frame(k);
   if (auto* const track = trace_of<Key>(state)) [[unlikely]]
     track->begin(k, first_name);
+  return begun;
 }
 template <class Key, class State>
-CCA_INLINE void end_observed([[maybe_unused]] State& state, [[maybe_unused]] bool has_frame = true) {
+CCA_INLINE void end_observed([[maybe_unused]] const State& state,
+                             [[maybe_unused]] frame_of_beat<Key> begun,
+                             [[maybe_unused]] bool has_frame = true) {
   if (auto* const track = trace_of<Key>(state)) [[unlikely]]
     track->end();
-  if constexpr (is_probed<Key>)
-    if (has_frame) state.end_frame();
+  if constexpr (is_probed<Key>) state.end_frame(begun.frame, has_frame);
 }
 
 }  // namespace cca::detail

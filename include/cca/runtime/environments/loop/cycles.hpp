@@ -130,7 +130,7 @@ protected:
   void begin_admission() noexcept {}
   static bool admit() noexcept { return true; }
   static void note_mode(int, int, std::int64_t) noexcept {}
-  void tell_arrivals() noexcept {}
+  void tell_arrivals(std::int64_t*) noexcept {}
   void look_for_free(std::int64_t) noexcept {}
 };
 
@@ -165,12 +165,12 @@ protected:
     }
   }
   // In the frame of this beat, of which they are.
-  void tell_arrivals() noexcept {
+  void tell_arrivals(std::int64_t* frame) noexcept {
     if (!loop().state.tap.get()) return;
-    tell_gathered();
+    tell_gathered(frame);
     if (loop().state.is_exact) return;
-    arrivals.for_each([this]<int Output>(const auto& coordinates, std::int64_t origin) {
-      tell_recorder<loop_key<D, E>>(loop().state.frame, Output, coordinates, origin);
+    arrivals.for_each([frame]<int Output>(const auto& coordinates, std::int64_t origin) {
+      tell_recorder<loop_key<D, E>>(frame, Output, coordinates, origin);
     });
   }
   // Between two beats, before the last. Nobody waits for a free-running environment, and it is never late: so
@@ -192,8 +192,7 @@ private:
     return out.is_taken ? out.members : plan_of<D>.nodes[array_size(node_of_output<D>(o))].members;
   }
   // Those before the newest of each output that queues take.
-  void tell_gathered() noexcept {
-    std::int64_t* const frame = loop().state.frame;
+  void tell_gathered(std::int64_t* frame) noexcept {
     static constexpr const auto& layout = frame_layout_of<loop_key<D, E>>;
     for (const int at : layout.earlier)
       if (at > 0) frame[at] = frame[at + 1] = 0;

@@ -259,16 +259,16 @@ private:
     if (!DeploymentOfModes<D> && !state.is_exact)
       if (const int lost = state.count_late(k, observers); lost >= 0)
         return state_fault(observers, 0, lost_contact<D>(lost), -1);
-    begin_observed<Key, mode>(state, beat, this->template first_trace_name<mode>());
-    if constexpr (is_probed<Key>) this->tell_arrivals();
+    const auto frame = begin_observed<Key>(state, beat, this->template first_trace_name<mode>());
+    if constexpr (is_probed<Key>) this->tell_arrivals(frame.frame);
     this->begin_cycle(beat);
     links.receive(state, beat);
     if constexpr (!DeploymentOfModes<D>) this->take_changes(beat);
     if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
-    run_beat_of_graph<Key>(state, outcome, index());
-    end_observed<Key>(state, !is_free || state.is_exact);
+    run_beat_of_graph<Key>(state, outcome, index(), frame);
+    end_observed<Key>(state, frame, !is_free || state.is_exact);
     if constexpr (asks_for_changes<D>(E))
       if (this->is_asked()) [[unlikely]] {
         if (outcome.fault || state.is_cut) this->forget_asked();

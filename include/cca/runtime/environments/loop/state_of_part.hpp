@@ -5,8 +5,6 @@
 
 namespace cca::detail {
 
-template <class D, int E>
-inline constexpr bool may_be_cut<part<D, E>> = true;
 template <class D>
 struct told_for_others<part<D, 0>> {
   static constexpr bool holds(std::size_t o) { return leaves_freely<D>::holds(o); }

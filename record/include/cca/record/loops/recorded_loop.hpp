@@ -134,9 +134,10 @@ public:
     put({event_kind::skipped, by_clock ? 1 : 0, k}, message.view());
   }
   void controller_is_gone() noexcept override { is_gone = true; }
-  void wait_for_room() noexcept override {
-    while (of.how.waits && !this->ring.find_room())
-      std::this_thread::sleep_for(std::chrono::microseconds(100));
+  void has_no_room() noexcept override {
+    for (; of.how.waits; std::this_thread::sleep_for(std::chrono::microseconds(100)))
+      if (this->ring.commit_last()) return;
+    this->ring.drop();
   }
 
   // ---- in the thread that writes ----
