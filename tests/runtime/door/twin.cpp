@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -44,10 +45,12 @@ void add_channel(opened& one, std::uint16_t id, cca::recording::replay_role role
 }
 using role = cca::recording::replay_role;
 
+constexpr std::size_t much = 16 << 20;  // bytes
+
 }  // namespace
 
 TEST_CASE("A door keeps what was sensed from the first beat on, and gives it in pieces") {
-  opened one;
+  opened one({.twin_memory = much});
   add_channel(one, 1, role::fed);
   add_channel(one, 2, role::none);
   client c(one.port());
@@ -76,14 +79,35 @@ TEST_CASE("Memory for twins is bounded; who comes too late is told so") {
   const auto end = size_in(piece(c, "stream", 19 + 28 * 19000));
   CHECK(end == 17 + 28 * 20000);
   CHECK(c.fetch("cca://twin/stream?from=" + std::to_string(end - 300'000 - 200'000)).why != "");
+}
 
-  opened none({.twin_memory = 0});
-  client of_none(none.port());
-  CHECK(of_none.fetch("cca://twin/stream?from=0").why.find("twin_memory is 0") != std::string::npos);
+TEST_CASE("A door for which no twin is named keeps nothing for twins, and says how to name one") {
+  const laws::temporary_file file("twin.wasm");
+  std::ofstream(file.path, std::ios::binary) << "code";
+  const auto size_of_stream = [](const cca::door_settings& s) -> std::optional<std::uint64_t> {
+    opened one(s);
+    add_channel(one, 1, role::fed);
+    add_channel(one, 2, role::computed);
+    client c(one.port());
+    for (std::int64_t k = 0; k < 100; ++k) one.message(1, 0, sample(k, 0.5)), one.message(2, 0, sample(k, 1));
+    CHECK(c.fetch("cca://twin/value?channel=2&beat=99").why ==
+          (s.kept_for_twins() ? "" : "this value is no longer kept"));
+    const auto got = c.fetch("cca://twin/stream?from=0");
+    if (got.why.empty()) return size_in(got.data);
+    CHECK(got.why ==
+          "this door keeps nothing for twins: name one, by --twin FILE.wasm or door_settings::twin, or state "
+          "door_settings::twin_memory");
+    return {};
+  };
+  constexpr std::uint64_t whole = 2 * 17 + 100 * (2 + 8 + 2 + 8 + 8 + 2 + 4);
+  CHECK(size_of_stream({}) == std::nullopt);
+  CHECK(size_of_stream({.twin = file.path, .twin_memory = 0}) == std::nullopt);
+  CHECK(size_of_stream({.twin = file.path}) == whole);
+  CHECK(size_of_stream({.twin_memory = much}) == whole);
 }
 
 TEST_CASE("A door has the last values of what components computed") {
-  opened one;
+  opened one({.twin_memory = much});
   add_channel(one, 1, role::computed);
   add_channel(one, 2, role::computed);
   client c(one.port());
@@ -133,7 +157,7 @@ TEST_CASE("Who may not read the channels may not have the twin either") {
 
 TEST_CASE("A twin on the other side of a door computes the same as the program that runs") {
   cca::controller<graph> c;
-  cca::door door(c, {.port = 0, .tells_where = false});
+  cca::door door(c, {.port = 0, .tells_where = false, .twin_memory = much});
   c.load();
   c.start();
   std::thread run([&] { c.run(cca::for_beats<1500>{}, cca::at_wall_clock(), door); });

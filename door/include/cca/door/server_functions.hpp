@@ -43,7 +43,7 @@ struct door_server::inside {
         controls(of),
         token(door_network::token_of(given)),
         page(door_network::file_of(given.page, "page")),
-        twins(given.twin_memory, door_network::file_of(given.twin, "twin")) {
+        twins(given.kept_for_twins(), door_network::file_of(given.twin, "twin")) {
     for (const std::string& one : given.origins) door_network::check_origin(one);
     error wrong;
     const auto address = boost::asio::ip::make_address(settings.address, wrong);

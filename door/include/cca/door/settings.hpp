@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,12 @@ struct door_settings {
   bool tells_where = true;             // prints the address and the token at start
   std::string page = page_of_doors();  // an HTML file that is served at `/`; empty: none
   // Of the live twin: the controller as WebAssembly, which the page runs; empty: none. And how many bytes of
-  // what was sensed are kept for twins that come later; 0: there are none.
+  // what was sensed are kept for twins that come later: 64 MiB where a twin is named, else none. State it for
+  // a twin that has its program from elsewhere.
   std::string twin{};
-  std::size_t twin_memory = 64 << 20;
+  std::optional<std::size_t> twin_memory{};
+
+  std::size_t kept_for_twins() const { return twin_memory.value_or(twin.empty() ? 0 : 64 << 20); }
 };
 
 }  // namespace cca

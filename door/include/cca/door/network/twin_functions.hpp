@@ -6,7 +6,8 @@
 //   cca://twin/stream?from=N             size so far (8), then bytes of the stream from N on
 //   cca://twin/value?channel=C&beat=B    the message of that channel and beat
 //
-// Memory is bounded: the oldest bytes of the stream go first, and who has not read them can't have a twin.
+// Memory is bounded: the oldest bytes of the stream go first, and who has not read them can't have a twin. A
+// door without twins makes no stream.
 #pragma once
 
 #include <algorithm>
@@ -158,7 +159,9 @@ private:
     return {};
   }
   std::string read_stream(std::optional<std::uint64_t> from, std::string& to) const {
-    if (!is_on) return "this door keeps nothing for twins: door_settings::twin_memory is 0";
+    if (!is_on)
+      return "this door keeps nothing for twins: name one, by --twin FILE.wasm or door_settings::twin, or "
+             "state door_settings::twin_memory";
     const std::scoped_lock lock(guard);
     if (!from || *from > stream.end()) return "from: expected a place in the stream";
     if (*from < stream.begin())
