@@ -112,8 +112,14 @@ public:
       if (gives_beat()) typed.emplace(program.control, called, program.settings.commands);
       if (begins(c, interrupted)) {
         program.started(c);
-        do run(c, interrupted, first);
-        while (begins_anew(c, interrupted, first));
+        run_and_rest(
+            c, program.control,
+            held_run{.holds = program.settings.on_fault == "hold",
+                     .run = [&](controller_type& runs) { run(runs, interrupted, first); },
+                     .held = [&](controller_type& faulted) { tell_held(faulted, interrupted); },
+                     .goes_on = [&](controller_type& rests) { return goes_on_at_rest(rests, interrupted); },
+                     .rested = [&](controller_type& rests) { program.rests(rests); },
+                     .begins = [&](controller_type& started) { return begins_anew(started, first); }});
       }
     } catch (const refused&) {
       give_up();
@@ -176,40 +182,29 @@ private:
     if (!program.others.open) anew.is_at(begun_anew::place::waiting);
     tell("waits to be told to go on: type g, or say so through its door");
     bool is_told = false;
-    const bool is_started =
-        rests(c, interrupted, [&] { return is_told = !program.control.is_pause_wanted(); });
+    const bool is_started = begins_after_rest(
+        c, program.control,
+        [&](controller_type& rests) {
+          return goes_on_at_rest(rests, interrupted) && !(is_told = !program.control.is_pause_wanted());
+        },
+        [this](controller_type& rests) { program.rests(rests); });
     if (is_told) c.start();
     return is_started || is_told;
   }
-  // After a run that a fault has ended, or in whose pause somebody has started it anew.
-  bool begins_anew(controller_type& c, const interruption& interrupted, std::int64_t first) {
-    begun_anew& anew = program.control.anew;
-    is_fault_told = false;
-    const bool is_faulted = c.state() == state::faulted, holds = program.settings.on_fault == "hold";
-    has_faulted = has_faulted || is_faulted;
-    if (is_faulted)
-      anew.faults(c.beat_index(), c.fault_path(), std::string(c.fault().reason()),
-                  holds ? begun_anew::place::faulted : begun_anew::place::elsewhere);
-    if (interrupted || (is_faulted ? !holds : !anew.is_wanted_to_start())) return false;
-    if (is_faulted) {
-      for (const std::string& cause : causes_of(c)) tell(cause);
-      is_fault_told = true;
-      tell("holds after the fault: resume it or start it anew; a signal ends it");
-    }
-    if (!rests(c, interrupted, [] { return false; })) return false;
-    is_fault_told = false;
-    program.control.hold_for_next_run();
-    if (anew.is_wanted_to_start()) program.started(c);
-    return beats_left(c, first) > 0;
+  void tell_held(const controller_type& c, const interruption& interrupted) {
+    if (interrupted) return;
+    for (const std::string& cause : causes_of(c)) tell(cause);
+    is_fault_told = true;
+    tell("holds after the fault: resume it or start it anew; a signal ends it");
   }
-  template <class IsTold>
-  bool rests(controller_type& c, const interruption& interrupted, IsTold is_told) {
-    return begins_after_rest(
-        c, program.control,
-        [&](controller_type& at_rest) {
-          return !interrupted && !(opened && !opened->look_at_rest(at_rest)) && !is_told();
-        },
-        [this](controller_type& at_rest) { program.rests(at_rest); });
+  bool goes_on_at_rest(controller_type& c, const interruption& interrupted) {
+    return !interrupted && !(opened && !opened->look_at_rest(c));
+  }
+  // After a fault, or a pause in which somebody has started it anew.
+  bool begins_anew(controller_type& c, std::int64_t first) {
+    is_fault_told = false;
+    if (program.control.anew.is_wanted_to_start()) program.started(c);
+    return beats_left(c, first) > 0;
   }
   std::int64_t beats_left(const controller_type& c, std::int64_t first) const {
     const auto& seconds = program.settings.seconds;
@@ -265,6 +260,7 @@ private:
     if constexpr (!is_deployed) c.run(length, counted_pace(s.speed, beats), between);
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
+    has_faulted = has_faulted || c.state() == state::faulted;
     const bool is_over = !goes_on || (opened && opened->ends_run()) || c.state() == state::faulted ||
                          program.control.anew.is_wanted_to_start() || beats_left(c, first) <= 0;
     if (!is_over) ended_by_others = "another process has ended the run " + at(c);

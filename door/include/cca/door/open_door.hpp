@@ -41,6 +41,9 @@ inline recording::settings recorded_for_a_door() { return {.looks_every = std::c
 template <class Controller>
 class door_on {
 public:
+  static constexpr bool is_of_environments =
+      requires(live_access<Controller>& of, Controller& c) { of.goes_on(c); };
+
   door_on(const door_settings& s,
           Controller& c,
           run_control* run,
@@ -74,7 +77,9 @@ public:
     else return live.goes_on(c);
   }
   template <int Environment>
-  void after_beat(Controller& c) {
+  void after_beat(Controller& c)
+    requires is_of_environments
+  {
     if (controls.is_wanted(Environment)) live.template after_beat<Environment>(c);
   }
   // In a pause of one loop, what has stopped the robot is told; other environments may be in a beat.
@@ -96,8 +101,6 @@ public:
     live.run_ended(c);
   }
 
-  static constexpr bool is_of_environments =
-      requires(live_access<Controller>& of, Controller& c) { of.goes_on(c); };
   live_access<Controller> live;
   recording::recorder<Controller>& recorded;
   live_controls<Controller> controls;
@@ -137,20 +140,22 @@ public:
   cca::state run(Controller& c, Duration duration, Pace pace = {}) {
     detail::run_control& all = control();
     const detail::at_the_end no_more{[&all] { all.anew.ends(); }};
-    for (std::int64_t left = duration.beats(Controller::period()); left > 0;) {
-      const std::int64_t first = c.beat_index();
-      all.anew.begins(first);
-      c.run(for_some_beats{left}, pace, *this);
-      left -= c.beat_index() - first;
-      if (c.state() == state::faulted)
-        all.anew.faults(c.beat_index(), c.fault_path(), std::string(c.fault().reason()),
-                        detail::begun_anew::place::faulted);
-      else if (!all.anew.is_wanted_to_start()) break;
-      if (!detail::begins_after_rest(
-              c, all, [this](Controller& rests) { return on.look_at_rest(rests); }, [](Controller&) {}))
-        break;
-      all.hold_for_next_run();
-    }
+    std::int64_t left = duration.beats(Controller::period());
+    if (left > 0)
+      detail::run_and_rest(
+          c, all,
+          detail::held_run{.holds = true,
+                           .run =
+                               [&](Controller& runs) {
+                                 const std::int64_t first = runs.beat_index();
+                                 all.anew.begins(first);
+                                 runs.run(for_some_beats{left}, pace, *this);
+                                 left -= runs.beat_index() - first;
+                               },
+                           .held = [](Controller&) {},
+                           .goes_on = [this](Controller& rests) { return on.look_at_rest(rests); },
+                           .rested = [](Controller&) {},
+                           .begins = [&left](Controller&) { return left > 0; }});
     return c.state();
   }
 

@@ -18,7 +18,7 @@ namespace cca::detail {
 // `Host`: cca::controller or cca::deployed.
 template <template <class> class Host, class Graph>
   requires(Recordable<Graph> && !Refused<Host<Graph>>)
-struct program_door<Host<Graph>> {
+struct program_door<Host<Graph>> : door_on<Host<Graph>> {
   using controller = Host<Graph>;
 
   program_door(controller& c,
@@ -28,28 +28,17 @@ struct program_door<Host<Graph>> {
                std::vector<run_command<controller>> offers,
                const std::string& program,
                std::function<std::vector<environment_figures>(std::int64_t overruns)> figures)
-      : on(settings_of(s),
-           c,
-           &run,
-           recorder,
-           std::move(offers),
-           program,
-           s.speed.value_or(0),
-           [this, figures = std::move(figures)] { return figures(on.live.overruns()); }) {}
-
-  // ---- the loop's, between two beats; false: the run is to end ----
-
-  bool look(controller& c) { return on.look(c); }
-  template <int Environment>
-  void after_beat(controller& c)
-    requires door_on<controller>::is_of_environments
-  {
-    on.template after_beat<Environment>(c);
+      : door_on<controller>(settings_of(s),
+                            c,
+                            &run,
+                            recorder,
+                            std::move(offers),
+                            program,
+                            s.speed.value_or(0),
+                            [this, figures = std::move(figures)] { return figures(this->live.overruns()); }) {
   }
-  bool look_while_paused(controller& c) { return on.look_while_paused(c); }
-  bool look_at_rest(controller& c) { return on.look_at_rest(c); }
-  void run_ended(controller& c) { on.run_ended(c); }
-  bool ends_run() const { return on.live.is_ending(); }
+
+  bool ends_run() const { return this->live.is_ending(); }
 
   static door_settings settings_of(const run_settings& s) {
     door_settings all;
@@ -63,8 +52,6 @@ struct program_door<Host<Graph>> {
                                         : when_lost::go_on;
     return all;
   }
-
-  door_on<controller> on;
 };
 
 }  // namespace cca::detail
