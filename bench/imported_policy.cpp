@@ -6,7 +6,7 @@
 //                                               they differ
 //
 // `products`: y = W x + b for each layer, and nothing else. `policy`: a whole beat of a graph, with the
-// sources of 48 observations, scales, default pose, Elu, and 12 commands within their limits.
+// sources of 48 observations, scales, default pose, the activation, and 12 commands within their limits.
 //
 //   for n in $(./imported_policy list); do for f in policy products; do valgrind --tool=callgrind
 //   --callgrind-out-file=/dev/null ./imported_policy $n $f 120; done; done, minus the same with 20
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -43,16 +44,27 @@ struct angles : cca::space<cca::joint_angles, joints::axes, cca::rate<50>> {};
 struct rates : cca::space<cca::joint_velocities, joints::axes, cca::rate<50>> {};
 struct numbers : cca::space<cca::number, joints::axes, cca::rate<50>> {};
 
-// Of W x + b for each layer, with an activation between them if `Active`.
-template <bool Active, int From, int To, int... Rest>
+struct elu {
+  static auto of(const auto& x) { return cca::neural::elu(x, 1); }
+};
+struct silu {
+  static auto of(const auto& x) { return cca::neural::silu(x); }
+};
+struct tangent {
+  static auto of(const auto& x) { return cca::neural::tangent(x); }
+};
+struct none {
+  static auto of(const auto& x) { return x; }
+};
+
+// Of W x + b for each layer, with an activation between them.
+template <class Active, int From, int To, int... Rest>
 struct layers {
   static constexpr int weights = (From + 1) * To + layers<Active, To, Rest...>::weights;
   static constexpr int outputs = layers<Active, To, Rest...>::outputs;
   template <class Number>
   [[gnu::always_inline]] static auto of(const Number* w, const cca::neural::numbers<Number, From>& x) {
-    auto y = cca::neural::dense<To>(w, x);
-    if constexpr (Active) y = cca::neural::elu(y, 1);
-    return layers<Active, To, Rest...>::of(w + (From + 1) * To, y);
+    return layers<Active, To, Rest...>::of(w + (From + 1) * To, Active::of(cca::neural::dense<To>(w, x)));
   }
   template <class Number>
   [[gnu::always_inline]] static auto by_eigen(const Number* w, const cca::neural::numbers<Number, From>& x) {
@@ -62,7 +74,7 @@ struct layers {
     return layers<Active, To, Rest...>::by_eigen(w + (From + 1) * To, y);
   }
 };
-template <bool Active, int From, int To>
+template <class Active, int From, int To>
 struct layers<Active, From, To> {
   static constexpr int weights = (From + 1) * To, outputs = To;
   template <class Number>
@@ -78,7 +90,7 @@ struct layers<Active, From, To> {
   }
 };
 
-template <bool Active, int... Sizes>
+template <class Active, int... Sizes>
 struct net : layers<Active, Sizes...> {
   static constexpr int inputs = 48, memory = 0;
   template <class Number>
@@ -162,9 +174,9 @@ void draw(auto& weights) {
   }
 }
 
-template <class Number, int... Units>
+template <class Active, class Number, int... Units>
 struct forms {
-  using network = net<true, 48, Units..., 12>;
+  using network = net<Active, 48, Units..., 12>;
   using component = policy<contract<Number, network>>;
   struct graph {
     cca::controller<walking<component>> c;
@@ -191,7 +203,7 @@ struct forms {
     const auto p = std::make_unique<products>();
     for (int k = 0; k < 10; ++k) {
       p->beat();
-      const auto y = net<false, 48, Units..., 12>::of(
+      const auto y = net<none, 48, Units..., 12>::of(
           p->w.data(), cca::neural::numbers<Number, 48>(p->in.x.template cast<Number>()));
       if (!((y - p->last).norm() < 1e-4)) return false;
     }
@@ -203,16 +215,27 @@ struct forms {
     for (int k = 0; k < beats; ++k) form->beat();
     if (!form->is_finite()) std::abort();
   }
-  static bool is_run(
-      std::string_view name, std::string_view wanted, std::string_view form, int argc, char** argv) {
-    if (name != wanted) return false;
-    if (argc != 4) refuse(form, "policy or products, and a number of beats");
-    if (form == "policy") run<graph>(beats_in(argv[3]));
-    else if (form == "products") run<products>(beats_in(argv[3]));
+  static bool is_run(std::string_view form, int beats) {
+    if (form == "policy") run<graph>(beats);
+    else if (form == "products") run<products>(beats);
     else refuse(form, "policy or products");
     return true;
   }
 };
+
+// Calls `f` with the name and the forms of each network; true: one of the calls was.
+template <class Active>
+bool any_with(const std::string& activation, auto f) {
+  const auto with = [&]<class Number>(const std::string& number, Number) {
+    return f(number + "64_64", forms<Active, Number, 64, 64>()) ||
+           f(number + "256_128", forms<Active, Number, 256, 128>()) ||
+           f(number + "512_256_128", forms<Active, Number, 512, 256, 128>());
+  };
+  return with(activation + "_float_", 0.0f) || with(activation + "_double_", 0.0);
+}
+bool any_of_all(auto f) {
+  return any_with<elu>("elu", f) || any_with<silu>("silu", f) || any_with<tangent>("tangent", f);
+}
 
 }  // namespace bench
 
@@ -220,19 +243,13 @@ int main(int argc, char** argv) {
   using namespace bench;
   const std::string_view name = argc > 1 ? argv[1] : "", form = argc > 2 ? argv[2] : "";
   if (name == "list")
-    return std::puts(
-               "float_64_64\nfloat_256_128\nfloat_512_256_128\ndouble_64_64\ndouble_256_128\ndouble_512_256_"
-               "128"),
-           0;
-  if (name == "check")
-    return !(forms<float, 64, 64>::same() && forms<float, 512, 256, 128>::same() &&
-             forms<double, 64, 64>::same() && forms<double, 512, 256, 128>::same());
-  if (forms<float, 64, 64>::is_run(name, "float_64_64", form, argc, argv) ||
-      forms<float, 256, 128>::is_run(name, "float_256_128", form, argc, argv) ||
-      forms<float, 512, 256, 128>::is_run(name, "float_512_256_128", form, argc, argv) ||
-      forms<double, 64, 64>::is_run(name, "double_64_64", form, argc, argv) ||
-      forms<double, 256, 128>::is_run(name, "double_256_128", form, argc, argv) ||
-      forms<double, 512, 256, 128>::is_run(name, "double_512_256_128", form, argc, argv))
+    return any_of_all([](const std::string& one, auto) { return std::puts(one.c_str()) < 0; });
+  if (name == "check") return any_with<elu>("", [](const std::string&, auto f) { return !f.same(); });
+  if (any_of_all([&](const std::string& one, auto f) {
+        if (one != name) return false;
+        if (argc != 4) refuse(form, "policy or products, and a number of beats");
+        return f.is_run(form, beats_in(argv[3]));
+      }))
     return 0;
   refuse(name, "check, list, or the name of a network");
 }
