@@ -33,6 +33,7 @@ struct contract {
   term action;
   bool observes_clipped = false;
   std::vector<std::string> joints;  // the policy's names, in its order
+  std::vector<std::size_t> moved;   // in the order of the action, each of these joints once
   std::vector<double> stiffness, damping;
 };
 
@@ -48,6 +49,7 @@ public:
     if (c.rate < 0 || c.rate > 1e5) wrong_.add("`rate` is " + text_of(c.rate) + " Hz: expected one above 0");
     c.oldest = said_.has("oldest") ? one("oldest", "") : 0;
     joints(c);
+    moved(c);
     gains(c);
     observations(c);
     action(c);
@@ -200,6 +202,27 @@ private:
       signs_.push_back(sign < 0 ? -1 : 1);
     }
   }
+  // An action that says nothing moves all joints in their order.
+  void moved(contract& c) {
+    const statement* ids = get("action.joint_ids");
+    for (std::size_t i = 0; i < c.joints.size(); ++i) c.moved.push_back(i);
+    if (!ids || c.joints.empty()) return;
+    std::vector<std::size_t> order;
+    std::set<std::size_t> left(c.moved.begin(), c.moved.end());
+    for (const double id : ids->numbers) {
+      if (!(id >= 0 && id < static_cast<double>(c.joints.size())) || id != std::floor(id))
+        return wrong_.add(ids->where + ": an action moves joint " + text_of(id) +
+                          ", and the joints are 0 to " + std::to_string(c.joints.size() - 1));
+      order.push_back(static_cast<std::size_t>(id));
+      if (left.erase(order.back()) == 0)
+        return wrong_.add(ids->where + ": `joint_ids` has " + c.joints[order.back()] + " twice");
+    }
+    std::string still;
+    for (const std::size_t i : left) still += (still.empty() ? "" : ", ") + c.joints[i];
+    if (!still.empty())
+      return wrong_.add(ids->where + ": no action moves " + still + ", and here all joints are moved");
+    c.moved = order;
+  }
   bool motor_places(const statement& ids, const statement& sdk) {
     for (const double i : ids.numbers)
       if (i < 0 || i >= static_cast<double>(sdk.words.size()) || i != std::floor(i)) {
@@ -213,13 +236,20 @@ private:
   void gains(contract& c) {
     c.stiffness = gain(c, "stiffness");
     c.damping = gain(c, "damping");
-    for (std::size_t i = 0; i < c.joints.size(); ++i) {
-      const bool stiff = c.stiffness[i] > 0, damped = c.damping[i] >= 0;
-      if (has_gains_ && (!stiff || !damped))
-        wrong_.add("the gains of " + c.joints[i] + " are " + text_of(c.stiffness[i]) + " N m/rad and " +
-                   text_of(c.damping[i]) +
-                   " N m s/rad: a stiffness of zero or less was baked in, and the joint would hang");
-    }
+    if (!has_gains_) return;
+    const auto complain = [&](const char* key, const std::vector<double>& of, auto is_wrong, const char* unit,
+                              const char* why) {
+      std::string found;
+      for (std::size_t i = 0; i < of.size(); ++i)
+        if (is_wrong(of[i])) found += (found.empty() ? "" : ", ") + c.joints[i] + " " + text_of(of[i]);
+      if (!found.empty()) wrong_.add("`" + std::string(key) + "` is " + why + ": " + found + unit);
+    };
+    complain(
+        "stiffness", c.stiffness, [](double k) { return !(k > 0); },
+        " N m/rad: it was baked in, and there the robot would hang", "zero or less");
+    complain(
+        "damping", c.damping, [](double d) { return !(d >= 0); },
+        " N m s/rad: there the robot would swing itself up", "below zero");
   }
   std::vector<double> gain(const contract& c, const std::string& key) {
     const statement* motors = get("motor_" + key);
@@ -326,7 +356,7 @@ private:
       wrong_.add(get(key + ".is")->where + ": `" + key + ".is` lacks its frame: write " + t.is + "<FRAME>");
     const bool joints = t.is.starts_with("joint_");
     if (t.is == "last_action")
-      for (const std::string& j : c.joints) t.numbers.push_back({j, 0, 1, 1});
+      for (const std::size_t i : c.moved) t.numbers.push_back({c.joints[i], 0, 1, 1});
     else if (joints && !said_.has(key + ".numbers")) {
       bool from_default = false;
       if (t.is == "joint_angles")
@@ -375,17 +405,20 @@ private:
     const std::string relative = choice("action.relative_to", {"zero", "default", "offset"},
                                         "\"default\" (plus the default positions), \"zero\" or \"offset\"");
     over_joints(c, t, relative == "default");
+    const auto by_joint = t.numbers;
+    for (std::size_t i = 0; i < c.moved.size(); ++i) t.numbers[i] = by_joint[c.moved[i]];
     if (said_.has("action.offset")) {
       const auto offset = list("action.offset", c.joints.size(), "");
       for (std::size_t i = 0; i < c.joints.size(); ++i) {
+        number_of_term& n = t.numbers[i];
         if (relative != "offset" &&
-            std::abs(offset[i] - signs_[i] * t.numbers[i].rest) > 1e-3 + 5.1e-3 * std::abs(offset[i])) {
-          wrong_.add("the action's offset of " + c.joints[i] + " is " + text_of(offset[i]) + " (" +
+            std::abs(offset[i] - n.sign * n.rest) > 1e-3 + 5.1e-3 * std::abs(offset[i])) {
+          wrong_.add("the action's offset of " + c.joints[c.moved[i]] + " is " + text_of(offset[i]) + " (" +
                      get("action.offset")->where + "), and relative to " + relative + " it is " +
-                     text_of(signs_[i] * t.numbers[i].rest));
+                     text_of(n.sign * n.rest));
           break;
         }
-        if (relative == "offset") t.numbers[i].rest = signs_[i] * offset[i];
+        if (relative == "offset") n.rest = n.sign * offset[i];
       }
     } else if (relative == "offset") {
       missing("action.offset", "of each joint");

@@ -1,6 +1,8 @@
 // deploy.yaml of unitree_rl_lab, and the configuration of rl_sar, as statements.
 #pragma once
 
+#include <tuple>
+
 #include <yaml-cpp/yaml.h>
 
 #include "statements.hpp"
@@ -82,17 +84,83 @@ private:
     to_.add(key, first);
   }
 
-  // All joints in their order: nothing, Python's slice(None), which is three nulls, or 0, 1, 2, ...
-  static bool are_all(const YAML::Node& ids, const YAML::Node& map) {
-    if (!ids || ids.IsNull()) return true;
+  // The joints that an action moves: nothing, which is all in their order, as Python's slice(None), three
+  // nulls; or their numbers. False: neither.
+  static bool joints_of(const YAML::Node& ids, std::size_t count, std::vector<double>& to) {
+    to.clear();
+    const bool none = !ids || ids.IsNull();
+    if (none || (ids.IsSequence() && ids.Tag().ends_with("builtins.slice"))) {
+      for (std::size_t i = 0; i < count; ++i) to.push_back(static_cast<double>(i));
+      return none || std::ranges::all_of(ids, [](const YAML::Node& one) { return one.IsNull(); });
+    }
+    if (!ids.IsSequence() || ids.size() == 0) return false;
+    for (const auto& one : ids) {
+      const auto id = one.IsScalar() ? number_in(one.Scalar()) : std::nullopt;
+      if (!id) return false;
+      to.push_back(*id);
+    }
+    return true;
+  }
+  // What an action commands, by its name: those of two kinds are no list of targets.
+  static std::string kind_of(const std::string& action) {
+    for (const char* kind : {"Position", "Velocity", "Effort", "Torque"})
+      if (action.find(kind) != action.npos) return kind;
+    return "Position";
+  }
+  // One after the other, as the network's numbers stand.
+  void actions_of(const YAML::Node& all, const YAML::Node& map) {
     const std::size_t count = map && map.IsSequence() ? map.size() : 0;
-    if (!ids.IsSequence()) return false;
-    if (ids.Tag().ends_with("builtins.slice"))
-      return std::ranges::all_of(ids, [](const YAML::Node& one) { return one.IsNull(); });
-    std::size_t next = 0;
-    for (const auto& one : ids)
-      if (one.as<std::size_t>(count) != next++) return false;
-    return next == count;
+    statement order, scale, offset;
+    std::map<double, std::string> mover;
+    std::string first;
+    int scaled = 0, shifted = 0;
+    for (const auto& entry : all) {
+      const std::string name = entry.first.Scalar();
+      const YAML::Node& keys = entry.second;
+      const std::string line = where(entry.first);
+      if (!keys.IsMap()) return wrong_.add(line + ": the action `" + name + "` has no keys");
+      if (first.empty()) first = name;
+      if (kind_of(name) != kind_of(first))
+        return wrong_.add(line + ": the actions `" + first + "` and `" + name +
+                          "` command different things; here all joints get targets of one kind");
+      std::vector<double> ids;
+      if (const YAML::Node said = keys["joint_ids"]; !joints_of(said, count, ids))
+        return wrong_.add(where(said) + ": `joint_ids` of the action `" + name +
+                          "`: expected nothing for all joints, or their numbers in joint_ids_map");
+      if (ids.empty() && all.size() > 1)
+        return wrong_.add(line + ": the action `" + name +
+                          "` moves all joints, and there is another action: each needs joints of its own");
+      for (const double id : ids)
+        if (const auto& by = mover.emplace(id, name).first->second; by != name)
+          return wrong_.add(line + ": the actions `" + by + "` and `" + name + "` both move joint " +
+                            text_of(id) + ": actions stand one after the other, each with joints of its own");
+      order.where = order.numbers.empty() ? line : order.where;
+      order.numbers.insert(order.numbers.end(), ids.begin(), ids.end());
+      scaled += append(keys["scale"], name, ids.size(), scale);
+      shifted += append(keys["offset"], name, ids.size(), offset);
+      add_clip(keys["clip"], "action.target_clip");
+    }
+    const int actions = static_cast<int>(all.size());
+    if (actions == 0) return;
+    if (!order.numbers.empty()) to_.add("action.joint_ids", order);
+    for (const auto& [said, what, list] :
+         {std::tuple(scaled, "scale", &scale), std::tuple(shifted, "offset", &offset)}) {
+      if (said == actions) to_.add(std::string("action.") + what, *list);
+      else if (said > 0)
+        wrong_.add(list->where + ": not all actions have a `" + what + "`, and some have one");
+    }
+  }
+  // A list of an action behind those of the ones before, one number for all its joints written out.
+  bool append(const YAML::Node& n, const std::string& action, std::size_t count, statement& to) {
+    statement s;
+    if (!numbers(n, s)) return false;
+    if (const double one = s.numbers[0]; s.numbers.size() == 1 && count > 0) s.numbers.assign(count, one);
+    if (count > 0 && s.numbers.size() != count)
+      wrong_.add(s.where + ": the action `" + action + "` moves " + std::to_string(count) +
+                 " joints, and this has " + std::to_string(s.numbers.size()) + " numbers");
+    if (to.numbers.empty()) to.where = s.where, to.relative = s.relative;
+    to.numbers.insert(to.numbers.end(), s.numbers.begin(), s.numbers.end());
+    return true;
   }
 
   // Gains are in the order of the motors, everything else in that of the policy.
@@ -105,20 +173,8 @@ private:
     statement step;
     if (numbers(root["step_dt"], step) && step.numbers[0] > 0)
       to_.add("rate", {{1 / step.numbers[0]}, {}, step.where, 1e-6});
-    if (const YAML::Node actions = root["actions"]; actions && actions.IsMap()) {
-      if (actions.size() != 1)
-        wrong_.add(where(actions) + ": it has " + std::to_string(actions.size()) +
-                   " actions; one is possible");
-      for (const auto& entry : actions) {
-        if (const YAML::Node ids = entry.second["joint_ids"]; !are_all(ids, root["joint_ids_map"]))
-          wrong_.add(where(ids) +
-                     ": the action moves some of the joints, or in another order; here it moves all that are "
-                     "observed, in their order");
-        add(entry.second["scale"], "action.scale");
-        add(entry.second["offset"], "action.offset");
-        add_clip(entry.second["clip"], "action.target_clip");
-      }
-    }
+    if (const YAML::Node actions = root["actions"]; actions && actions.IsMap())
+      actions_of(actions, root["joint_ids_map"]);
     statement order;
     for (const auto& entry : root["observations"]) {
       const std::string name = entry.first.Scalar(), key = "observation." + name;

@@ -37,17 +37,19 @@ inline std::string name_from(const std::string& file) {
   return is_declared(id) ? id + "_policy" : id;
 }
 
-// Throws cca::refused for a file that cannot be read; what is missing or differs goes to `wrong`.
+// Throws cca::refused for a file that cannot be read; what is missing or differs goes to `wrong`. `beside`
+// gives the text of another file in the folder of the ONNX file, where its weights may lie.
 inline imported import_policy(const source_file& onnx,
                               const source_file& deploy,
                               const source_file& map,
-                              complaints& wrong) {
+                              complaints& wrong,
+                              std::function<std::string(const std::string&)> beside = {}) {
   const auto base = [](const std::string& file) { return file.substr(file.rfind('/') + 1); };
   imported r;
   statements said;
   onnx_model model;
   try {
-    model = read_onnx(onnx.text);
+    model = read_onnx(onnx.text, std::move(beside));
     read_metadata(model, base(onnx.name), said, wrong);
   } catch (const cca::refused& e) { refuse(onnx.name + ": " + e.what()); }
   if (!deploy.name.empty()) deploy_reader(deploy.text, base(deploy.name), said, wrong);

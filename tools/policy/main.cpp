@@ -17,7 +17,7 @@ struct settings {
   std::vector<std::string> words;
   std::vector<std::string> includes;
   std::string deploy, map, out, weights, policy, at, compiler = CCA_COMPILE;
-  bool in_double = false, python = false;
+  bool in_double = false, python = false, quiet = false;
 };
 
 cca_policy::source_file read(const std::string& file) {
@@ -49,6 +49,8 @@ int contract_of_header(const settings& s, const std::string& file) {
   const std::string json = cca_policy::contract_of_header({file, s.policy, s.at, s.compiler, s.includes});
   const std::string name = s.policy.substr(s.policy.rfind(':') + 1);
   write(s, s.python ? cca_policy::contract_python(name, file.substr(file.rfind('/') + 1), json) : json);
+  if (!s.quiet && !s.out.empty())
+    std::cerr << s.out << ": the contract of " << s.policy << " in " << file << "\n";
   return std::cout.flush() ? cca::exit_code::done : cca::exit_code::error;
 }
 
@@ -63,23 +65,33 @@ int run(const settings& s) {
   if (!s.policy.empty() || !s.at.empty() || !s.includes.empty())
     throw cca::command_line_error("--policy, --at and --include belong to `contract` and a header");
   cca_policy::complaints wrong;
-  cca_policy::imported p = cca_policy::import_policy(read(file), read(s.deploy), read(s.map), wrong);
+  std::vector<std::string> read_files{file, s.deploy, s.map};
+  const auto beside = [&](const std::string& other) {
+    read_files.push_back(file.substr(0, file.rfind('/') + 1) + other);
+    return cca::detail::read_file(read_files.back());
+  };
+  cca_policy::imported p = cca_policy::import_policy(read(file), read(s.deploy), read(s.map), wrong, beside);
   p.in_double = s.in_double;
   for (const std::string& one : wrong.all()) std::cerr << file << ": " << one << "\n";
   if (!wrong.all().empty())
     throw cca::refused(file + ": " + (imports ? "no header" : "no contract") + " is written");
   const std::string weights = s.weights.empty() ? p.terms.name + ".policy" : s.weights;
   for (const std::string& other : {s.out, weights})
-    for (const std::string& in : {file, s.deploy, s.map})
+    for (const std::string& in : read_files)
       if (!other.empty() && !in.empty() && cca::is_one_file(other, in))
         throw cca::refused(other + ": it would be written over " + in +
                            ", which is read: give it its own name");
   if (imports) {
     cca::detail::write_file(weights, cca_policy::weights_file(p));
     write(s, cca_policy::header(p).text());
+    if (!s.quiet)
+      std::cerr << (s.out.empty() ? "standard output" : s.out) << ": " << cca_policy::summary(p) << weights
+                << ": " << p.net.weights.size() << " weights, "
+                << cca::detail::checksum_of(cca_policy::weights_text(p)) << "\n";
   } else {
     const std::string json = cca_policy::contract_json(p);
     write(s, s.python ? cca_policy::contract_python(p.terms.name, p.made_from, json) : json);
+    if (!s.quiet && !s.out.empty()) std::cerr << s.out << ": " << cca_policy::summary(p);
   }
   return std::cout.flush() ? cca::exit_code::done : cca::exit_code::error;
 }
@@ -100,6 +112,7 @@ int main(int count, char** words) {
   line.text("--at PATH", s.at, "the path of the policy's node in that graph");
   line.texts("--include DIR", s.includes, "where the header finds others");
   line.text("--compiler COMMAND", s.compiler, "compiles the header");
+  line.flag("--quiet", s.quiet, "does not say what was written");
   line.flag("--double", s.in_double, "the network computes in double instead of float");
   return cca::run_program(count, words, line, [&] { return run(s); });
 }

@@ -112,7 +112,11 @@ private:
       statement s;
       s.where = file_ + ":" + std::to_string(node.source().begin.line);
       if (std::ranges::none_of(map_keys, [&](std::string_view p) { return fits(key, p); })) {
-        wrong_.add(s.where + ": there is no key `" + key + "`; is it `" + nearest_key(key) + "`?");
+        const std::string last(name.str());  // below a table it belongs to the table
+        const bool is_above = !path.empty() && std::ranges::find(map_keys, last) != std::end(map_keys);
+        wrong_.add(s.where + ": there is no key `" + key + "`; " +
+                   (is_above ? "`" + last + "` stands above the first [...] of the file"
+                             : "is it `" + nearest_key(key) + "`?"));
         continue;
       }
       bool is_sound = true;
@@ -120,10 +124,16 @@ private:
         for (const auto& item : *list) is_sound = is_sound && add(item, s);
         is_sound = is_sound && !list->empty();
       } else is_sound = add(node, s);
-      if (!is_sound || (!s.words.empty() && !s.numbers.empty()))
+      if (is_empty_text(node))
+        wrong_.add(s.where + ": `" + key + "` is an empty text: write one, or leave out the key");
+      else if (!is_sound || (!s.words.empty() && !s.numbers.empty()))
         wrong_.add(s.where + ": `" + key + "` is neither numbers nor texts");
       else to_.add(key == "observations.order" ? "observations" : key, s);
     }
+  }
+  static bool is_empty_text(const toml::node& node) {
+    if (const auto* list = node.as_array()) return std::ranges::any_of(*list, is_empty_text);
+    return node.is_string() && node.value<std::string>()->empty();
   }
   static bool add(const toml::node& node, statement& s) {
     if (const auto number = node.value<double>(); number && node.is_number()) {

@@ -2,7 +2,9 @@
 // to 10.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -64,11 +66,73 @@ inline std::int64_t count_of(const std::vector<std::int64_t>& dims) {
   return count;
 }
 
-inline tensor read_tensor(std::string_view bytes) {
+// Tensors may lie in other files, as newer exporters write them: NAME.onnx.data beside NAME.onnx. Each tensor
+// names the file, where in it its bytes begin, and how many they are.
+class weights_beside {
+public:
+  // What gives the text of a file by its name, from the folder of the model; nothing: there are no others.
+  explicit weights_beside(std::function<std::string(const std::string&)> read) : read_(std::move(read)) {}
+
+  std::string_view of(const std::string& tensor, const std::map<std::string, std::string>& said) {
+    const auto word = [&](const char* key) {
+      const auto found = said.find(key);
+      return found == said.end() ? std::string() : found->second;
+    };
+    const std::string file = word("location"), what = "the tensor `" + tensor + "` lies in `" + file + "`";
+    if (!read_)
+      refuse(what +
+             ", and only this file is known here: write one with the weights inside, in Python by "
+             "onnx.save(onnx.load(FILE), NEW_FILE)");
+    if (!is_below(file)) refuse(what + ": expected a file in the folder of the model or below it");
+    if (!texts_.contains(file)) try {
+        texts_[file] = read_(file);
+      } catch (const cca::refused& e) { refuse(what + ": " + e.what()); }
+    const std::string_view all = texts_[file];
+    const std::uint64_t from = size(word("offset"), 0, what);
+    if (from > all.size()) refuse_end(what, from, all.size());
+    const std::uint64_t count = size(word("length"), all.size() - from, what);
+    if (count > all.size() - from)
+      refuse_end(what, count > ~from ? ~std::uint64_t{0} : from + count, all.size());
+    taken_ += count;  // several tensors may say the same bytes
+    if (taken_ > 8 * most_numbers) refuse(what + ": the tensors have more than 400 MB together");
+    return all.substr(static_cast<std::size_t>(from), static_cast<std::size_t>(count));
+  }
+
+private:
+  static bool is_below(const std::string& file) {
+    if (file.empty() || file.front() == '/' || file.find('\\') != file.npos || file.find('\0') != file.npos)
+      return false;
+    for (std::size_t at = 0; at <= file.size();) {
+      const std::size_t end = std::min(file.find('/', at), file.size());
+      if (file.substr(at, end - at) == "..") return false;
+      at = end + 1;
+    }
+    return true;
+  }
+  static std::uint64_t size(const std::string& text, std::uint64_t otherwise, const std::string& what) {
+    if (text.empty()) return otherwise;
+    std::uint64_t n = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), n);
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size())
+      refuse("damaged: " + what + " at `" + text.substr(0, 40) + "`, which is no number of bytes");
+    return n;
+  }
+  [[noreturn]] static void refuse_end(const std::string& what, std::uint64_t end, std::size_t has) {
+    refuse(what + " up to byte " + std::to_string(end) + ", and the file has " + std::to_string(has) +
+           ": it is damaged, or of another export");
+  }
+
+  std::function<std::string(const std::string&)> read_;
+  std::map<std::string, std::string> texts_;
+  std::uint64_t taken_ = 0;
+};
+
+inline tensor read_tensor(std::string_view bytes, weights_beside& beside) {
   tensor t;
   std::uint64_t type = 0;
   std::string_view raw;
-  bool is_raw = false;
+  bool is_raw = false, is_beside = false;
+  std::map<std::string, std::string> place;  // in another file
   for (message m(bytes); m.next();) switch (m.field) {
       case 1:
         m.each_varint([&](std::uint64_t d) { t.dims.push_back(static_cast<std::int64_t>(d)); });
@@ -95,12 +159,17 @@ inline tensor read_tensor(std::string_view bytes) {
       case 10:
         m.each_fixed<std::uint64_t>([&](std::uint64_t w) { t.values.push_back(std::bit_cast<double>(w)); });
         break;
-      case 13:
+      case 13: {
+        std::string key;
+        for (message e(m.inner()); e.next();) {
+          if (e.field == 1) key = e.text();
+          if (e.field == 2) place[key] = e.text();
+        }
+        is_beside = true;
+        break;
+      }
       case 14:
-        if (m.is_bytes || m.number != 0)
-          refuse("the tensor `" + t.name +
-                 "` lies in another file: write one with the weights inside, in Python by "
-                 "onnx.save(onnx.load(FILE), NEW_FILE)");
+        is_beside = is_beside || m.number != 0;
         break;
       default:
         break;
@@ -111,6 +180,10 @@ inline tensor read_tensor(std::string_view bytes) {
   if (!t.is_whole && type != onnx_type::real && type != onnx_type::large_real)
     refuse("the tensor `" + t.name + "` has numbers of type " + std::to_string(type) +
            ", neither float nor double nor an integer of 32 or 64 bits: export in float");
+  if (is_beside) {
+    raw = beside.of(t.name, place);
+    is_raw = true;
+  }
   if (is_raw) {
     const std::size_t width = type == onnx_type::boolean                            ? 1
                               : type == onnx_type::real || type == onnx_type::int32 ? 4
@@ -135,7 +208,7 @@ inline tensor read_tensor(std::string_view bytes) {
   return t;
 }
 
-inline void read_attribute(std::string_view bytes, node& n) {
+inline void read_attribute(std::string_view bytes, node& n, weights_beside& beside) {
   std::string name;
   for (message m(bytes); m.next();) switch (m.field) {
       case 1:
@@ -151,7 +224,7 @@ inline void read_attribute(std::string_view bytes, node& n) {
         n.texts[name] = m.text();
         break;
       case 5:
-        n.tensors[name] = read_tensor(m.inner());
+        n.tensors[name] = read_tensor(m.inner(), beside);
         break;
       case 6:
       case 11:
@@ -172,7 +245,7 @@ inline void read_attribute(std::string_view bytes, node& n) {
     }
 }
 
-inline node read_node(std::string_view bytes) {
+inline node read_node(std::string_view bytes, weights_beside& beside) {
   node n;
   for (message m(bytes); m.next();) switch (m.field) {
       case 1:
@@ -188,7 +261,7 @@ inline node read_node(std::string_view bytes) {
         n.op = m.text();
         break;
       case 5:
-        read_attribute(m.inner(), n);
+        read_attribute(m.inner(), n, beside);
         break;
       case 7:
         n.domain = m.text();
@@ -224,7 +297,10 @@ inline value_info read_value(std::string_view bytes) {
   return v;
 }
 
-inline onnx_model read_onnx(std::string_view file) {
+// `beside_it` gives the text of another file from the folder of this one.
+inline onnx_model read_onnx(std::string_view file,
+                            std::function<std::string(const std::string&)> beside_it = {}) {
+  weights_beside beside(std::move(beside_it));
   onnx_model r;
   bool has_graph = false;
   for (message m(file); m.next();) {
@@ -236,8 +312,8 @@ inline onnx_model read_onnx(std::string_view file) {
       case 7:
         has_graph = true;
         for (message g(m.inner()); g.next();) {
-          if (g.field == 1) r.nodes.push_back(read_node(g.inner()));
-          if (g.field == 5) r.initializers.push_back(read_tensor(g.inner()));
+          if (g.field == 1) r.nodes.push_back(read_node(g.inner(), beside));
+          if (g.field == 5) r.initializers.push_back(read_tensor(g.inner(), beside));
           if (g.field == 11) r.inputs.push_back(read_value(g.inner()));
           if (g.field == 12) r.outputs.push_back(read_value(g.inner()));
           if (g.field == 15) refuse("it has sparse tensors: export them dense");

@@ -150,8 +150,9 @@ private:
     std::string names, gains, lines;
     for (std::size_t i = 0; i < c_.terms.size(); ++i) names += (i ? ", " : "") + id_of(i, c_.terms[i]);
     for (std::size_t i = 0; i < c_.joints.size(); ++i)
-      gains += (i ? ",\n      " : "") + ("{" + quoted(c_.action.numbers[i].name) + ", " +
-                                         text_of(c_.stiffness[i]) + ", " + text_of(c_.damping[i]) + "}");
+      gains += (i ? ",\n      " : "") +
+               ("{" + quoted(c_.action.numbers[i].name) + ", " + text_of(c_.stiffness[c_.moved[i]]) + ", " +
+                text_of(c_.damping[c_.moved[i]]) + "}");
     const auto said = contract_lines(p_);
     for (const std::string& line : said) lines += (lines.empty() ? "" : ",\n      ") + quoted(line);
     return "struct contract {\n  static constexpr std::string_view name = " + quoted(c_.name) +
@@ -173,5 +174,18 @@ private:
   const imported& p_;
   const contract& c_;
 };
+
+// What was imported, for a reader who knows the robot.
+inline std::string summary(const imported& p) {
+  const contract& c = p.terms;
+  std::string joints, seen;
+  for (const std::size_t i : c.moved) joints += (joints.empty() ? "" : ", ") + c.joints[i];
+  for (const term& t : c.terms)
+    seen += (seen.empty() ? "" : ", ") + t.name + " " + std::to_string(t.numbers.size());
+  return "the policy `" + c.name + "` at " + text_of(c.rate) + " Hz, from " + p.made_from + "\n  commands " +
+         std::to_string(c.joints.size()) + " joints: " + joints + "\n  observes " +
+         std::to_string(p.net.inputs / c.history) + " numbers" +
+         (c.history > 1 ? ", " + std::to_string(c.history) + " times" : "") + ": " + seen + "\n";
+}
 
 }  // namespace cca_policy

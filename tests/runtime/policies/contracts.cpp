@@ -9,7 +9,7 @@
 
 #include <cca/base/file.hpp>
 
-#include "policy/writing.hpp"
+#include "files_of_walk.hpp"
 #include "walker.hpp"
 
 #include "written/walk.hpp"
@@ -17,40 +17,6 @@
 namespace {
 
 using namespace policies;
-using cca_policy::source_file;
-
-const std::string folder = CCA_POLICIES "/walk/";
-
-struct files {
-  std::string onnx = cca::detail::read_file(folder + "walk.onnx"),
-              deploy = cca::detail::read_file(folder + "deploy.yaml"),
-              map = cca::detail::read_file(folder + "map.toml");
-};
-
-void put(std::string& text, const std::string& old, const std::string& now) {
-  const auto at = text.find(old);
-  REQUIRE_MESSAGE(at != std::string::npos, old);
-  text.replace(at, old.size(), now);
-}
-// In an ONNX file, whose texts have lengths.
-void put_in_place(std::string& text, const std::string& old, const std::string& now) {
-  REQUIRE(old.size() == now.size());
-  put(text, old, now);
-}
-
-cca_policy::imported imported(const files& f, cca_policy::complaints& wrong) {
-  return cca_policy::import_policy({"walk.onnx", f.onnx}, {"deploy.yaml", f.deploy}, {"map.toml", f.map},
-                                   wrong);
-}
-
-// What the importer says first; empty: it writes a header.
-std::string said_of(const files& f) {
-  try {
-    cca_policy::complaints wrong;
-    (void)imported(f, wrong);
-    return wrong.all().empty() ? "" : wrong.all().front();
-  } catch (const cca::refused& e) { return e.what(); }
-}
 
 // What the compiler says of the contract of walk/ and these spaces; empty: it accepts them.
 template <class Inputs, class To>
@@ -252,51 +218,6 @@ TEST_CASE("40 contracts broken in one way each are refused, and docs/policies.md
     const std::string line = "| " + r.broken + " | " + r.by + " | " + said + " |\n";
     CHECK_MESSAGE(page.find(line) != std::string::npos, line);
   }
-}
-
-TEST_CASE("deploy.yaml may write all joints as nothing, as Python's slice(None), or one by one") {
-  const std::string none = "joint_ids: null";
-  for (const std::string all :
-       {"joint_ids: !!python/object/apply:builtins.slice [null, null, null]", "joint_ids: [0, 1, 2, 3]"}) {
-    files f;
-    put(f.deploy, none, all);
-    CHECK_MESSAGE(said_of(f) == "", all);
-  }
-  for (const std::string some :
-       {"joint_ids: !!python/object/apply:builtins.slice [null, 2, null]", "joint_ids: [0, 1, 2]",
-        "joint_ids: [0, 1, 2, 3, 4]", "joint_ids: [1, 0, 2, 3]", "joint_ids: [null, null, null]",
-        "joint_ids: [0, 1, 2, x]", "joint_ids: 4", "joint_ids: []"}) {
-    files f;
-    put(f.deploy, none, some);
-    CHECK_MESSAGE(said_of(f) ==
-                      "deploy.yaml:18: the action moves some of the joints, or in another order; here it "
-                      "moves all that are observed, in their order",
-                  some);
-  }
-}
-
-TEST_CASE("a list that two terms share complains once") {
-  files f;
-  put(f.deploy, "default_joint_pos: [0.1, -0.8, -0.1, -0.8]", "default_joint_pos: [0.1, -0.8, -0.1]");
-  put_in_place(f.onnx, "default_joint_pos", "default_joint_rot");
-  cca_policy::complaints wrong;
-  (void)imported(f, wrong);
-  int times = 0;
-  for (const std::string& one : wrong.all())
-    times += one == "deploy.yaml:5: `default_positions` has 3 numbers, expected 4";
-  CHECK(times == 1);
-}
-
-TEST_CASE("joints without names are one complaint, not one for each list of numbers") {
-  files f;
-  put_in_place(f.onnx, "joint_names", "joint_other");
-  put(f.map, "sdk_joints = ", "# ");
-  cca_policy::complaints wrong;
-  (void)imported(f, wrong);
-  REQUIRE(wrong.all().size() == 1);
-  CHECK(wrong.all().front() ==
-        "no file says `joints`: the names of the joints in the policy's order, or `sdk_joints` in the order "
-        "of the motors, for joint_ids_map; write it in the map");
 }
 
 TEST_CASE("docs/policies.md lists each operator and each key of a map") {

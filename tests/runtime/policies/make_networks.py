@@ -45,7 +45,7 @@ class Net:
     def value(self, name, *shape):
         return h.make_tensor_value_info(name, T.FLOAT, shape)
 
-    def save(self, file, meta=None, inputs=None, outputs=None):
+    def save(self, file, meta=None, inputs=None, outputs=None, beside=False):
         inputs = inputs or [self.value("obs", 1, OBSERVED)]
         outputs = outputs or [self.value("actions", 1, ACTIONS)]
         graph = h.make_graph(self.nodes, "policy", inputs, outputs, self.tensors)
@@ -54,7 +54,7 @@ class Net:
         h.set_model_props(model, meta or {})
         if self.opset <= 17:
             onnx.checker.check_model(model)
-        onnx.save(model, str(file))
+        onnx.save(model, str(file), save_as_external_data=beside, location=f"{file.name}.data", size_threshold=0)
 
 
 def mlp(net, x, sizes, activation, **attributes):
@@ -157,6 +157,13 @@ def networks():
     net.op("Gemm", net.op("Tanh", net.op("Gemm", "obs", net.random(OBSERVED, 10, scale=0.3), net.random(1, scale=1.0), alpha=0.5, beta=2.0)),
            net.random(10, ACTIONS, scale=0.3), name="actions", alpha=1.5)
     yield "gemm", net, {}
+    net = Net(26, 17)  # four layers of SiLU, with the weights in a file beside it
+    x = "obs"
+    for size_in, size_out in [(OBSERVED, 64), (64, 64), (64, 32), (32, 32)]:
+        x = net.gemm(x, size_in, size_out)
+        x = net.op("Mul", x, net.op("Sigmoid", x))
+    net.gemm(x, 32, ACTIONS, name="actions")
+    yield "beside", net, {"beside": True}
     H = 16
     for seed, (name, normal) in enumerate([("lstm", False), ("lstm_normalised", True)], 21):
         net = Net(seed)

@@ -12,6 +12,7 @@
 #include "robot.hpp"
 
 #include "written/batch_norm.hpp"
+#include "written/beside.hpp"
 #include "written/constants.hpp"
 #include "written/elu.hpp"
 #include "written/elu_alpha.hpp"
@@ -101,7 +102,7 @@ void compare_all() {
 }  // namespace
 
 TEST_CASE("networks of every operator act as in onnxruntime, over 1,000 steps") {
-  compare_all<batch_norm::contract, constants::contract, elu::contract, elu_alpha::contract,
+  compare_all<batch_norm::contract, beside::contract, constants::contract, elu::contract, elu_alpha::contract,
               encoder::contract, gemm::contract, gru::contract, gru_reset_before::contract,
               layer_norm::contract, layer_norm_parts::contract, layout::contract, leaky_relu::contract,
               lstm::contract, lstm_normalised::contract, lstm_two_layers::contract, pieces::contract,

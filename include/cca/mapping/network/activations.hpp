@@ -5,9 +5,9 @@
 //   leaky_relu(x, alpha)   x above 0, else alpha x
 //   relu, sigmoid, silu (x sigmoid(x)), tangent (tanh), softmax
 //
-// All but relu come from exp(x) = 2^k exp(r), |r| <= log(2) / 2, with a polynomial of exp(r), and have at most
-// one division. The largest errors, of 10^6 numbers from 1e-36 to 1e12 and of the ends (tests/runtime/mapping/
-// activations.cpp), as a part of the function, or absolute:
+// All but relu come from exp(x) = 2^k exp(r), |r| <= log(2) / 2, with a polynomial of exp(r), and have at
+// most one division. The largest errors, of 10^6 numbers from 1e-36 to 1e12 and of the ends
+// (tests/runtime/mapping/ activations.cpp), as a part of the function, or absolute:
 //
 //                float              double
 //   sigmoid      1.8e-7             4e-12     down to x = -87; below, it is 1.6e-38 instead of less
@@ -16,11 +16,10 @@
 //   tangent      1.8e-7             1.2e-11   odd to the last bit
 //   softmax      2e-7 (absolute)    1e-12 (absolute)
 //
-// Plain arithmetic: every machine gives the same. If an input is NaN the output is any number, and there is no
-// status and no fault: whoever calls asks before.
-// Source of the polynomials: tests/runtime/math/coefficients.sollya. Clevert, Unterthiner, Hochreiter, Fast and
-// accurate deep network learning by exponential linear units, 2015; Elfwing, Uchibe, Doya, Sigmoid-weighted
-// linear units, 2017.
+// Plain arithmetic: every machine gives the same. If an input is NaN the output is any number, and there is
+// no status and no fault: whoever calls asks before. Source of the polynomials:
+// tests/runtime/math/coefficients.sollya. Clevert, Unterthiner, Hochreiter, Fast and accurate deep network
+// learning by exponential linear units, 2015; Elfwing, Uchibe, Doya, Sigmoid-weighted linear units, 2017.
 // Cost: some 25 instructions for each four floats or two doubles (SSE2), 30 of sigmoid, silu and tangent.
 #pragma once
 
@@ -80,8 +79,8 @@ template <class Pack>
   return x > low ? x : low;
 }
 
-// exp(x) = power + power grown, where power = 2^k and grown = exp(x - k log 2) - 1. `Far`: also of such x that
-// k log 2 must be known to more digits than a float has.
+// exp(x) = power + power grown, where power = 2^k and grown = exp(x - k log 2) - 1. `Far`: also of such x
+// that k log 2 must be known to more digits than a float has.
 template <class Pack, bool Far = false>
 struct growth {
   using number = number_in<Pack>;
@@ -101,17 +100,19 @@ struct growth {
     if constexpr (is_short && Far) r = (x - k * c(0x1.62e4p-1)) - k * c(0x1.7f7d1cp-20);
     else r = x - k * c(0x1.62e42fefa39efp-1);
     if constexpr (is_short)
-      terms = (((c(0x1.6ca98ep-10) * r + c(0x1.120abep-7)) * r + c(0x1.55556cp-5)) * r + c(0x1.5554dep-3)) * r +
-              c(0x1p-1);
+      terms =
+          (((c(0x1.6ca98ep-10) * r + c(0x1.120abep-7)) * r + c(0x1.55556cp-5)) * r + c(0x1.5554dep-3)) * r +
+          c(0x1p-1);
     else
-      terms = (((((c(0x1.a06cd7f0c470ap-16) * r + c(0x1.a151262df4ef3p-13)) * r + c(0x1.6c16fd4b4f49dp-10)) * r +
-                 c(0x1.1110c66328ae4p-7)) *
-                    r +
-                c(0x1.555555316d621p-5)) *
-                   r +
-               c(0x1.555555673cb12p-3)) *
-                  r +
-              c(0x1.0000000004976p-1);
+      terms =
+          (((((c(0x1.a06cd7f0c470ap-16) * r + c(0x1.a151262df4ef3p-13)) * r + c(0x1.6c16fd4b4f49dp-10)) * r +
+             c(0x1.1110c66328ae4p-7)) *
+                r +
+            c(0x1.555555316d621p-5)) *
+               r +
+           c(0x1.555555673cb12p-3)) *
+              r +
+          c(0x1.0000000004976p-1);
     grown = r * r * terms + r;
   }
   [[gnu::always_inline]] Pack value() const { return power * grown + power; }
