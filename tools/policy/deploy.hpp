@@ -127,6 +127,8 @@ private:
       if (const YAML::Node said = keys["joint_ids"]; !joints_of(said, count, ids))
         return wrong_.add(where(said) + ": `joint_ids` of the action `" + name +
                           "`: expected nothing for all joints, or their numbers in joint_ids_map");
+      const bool lists =
+          keys["joint_ids"] && keys["joint_ids"].IsSequence() && keys["joint_ids"][0].IsScalar();
       if (ids.empty() && all.size() > 1)
         return wrong_.add(line + ": the action `" + name +
                           "` moves all joints, and there is another action: each needs joints of its own");
@@ -136,8 +138,8 @@ private:
                             text_of(id) + ": actions stand one after the other, each with joints of its own");
       order.where = order.numbers.empty() ? line : order.where;
       order.numbers.insert(order.numbers.end(), ids.begin(), ids.end());
-      scaled += append(keys["scale"], name, ids.size(), scale);
-      shifted += append(keys["offset"], name, ids.size(), offset);
+      scaled += append(keys["scale"], name, ids.size(), lists, scale);
+      shifted += append(keys["offset"], name, ids.size(), lists, offset);
       add_clip(keys["clip"], "action.target_clip");
     }
     const int actions = static_cast<int>(all.size());
@@ -151,11 +153,12 @@ private:
     }
   }
   // A list of an action behind those of the ones before, one number for all its joints written out.
-  bool append(const YAML::Node& n, const std::string& action, std::size_t count, statement& to) {
+  bool append(
+      const YAML::Node& n, const std::string& action, std::size_t count, bool lists_joints, statement& to) {
     statement s;
     if (!numbers(n, s)) return false;
     if (const double one = s.numbers[0]; s.numbers.size() == 1 && count > 0) s.numbers.assign(count, one);
-    if (count > 0 && s.numbers.size() != count)
+    if (lists_joints && s.numbers.size() != count)
       wrong_.add(s.where + ": the action `" + action + "` moves " + std::to_string(count) +
                  " joints, and this has " + std::to_string(s.numbers.size()) + " numbers");
     if (to.numbers.empty()) to.where = s.where, to.relative = s.relative;

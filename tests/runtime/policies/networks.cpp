@@ -89,8 +89,8 @@ void compare() {
   const double in_float = worst_of<Contract, float>(policy->weights),
                in_double = worst_of<Contract, double>(policy->weights);
   MESSAGE(Contract::name << ": " << in_float << " in float, " << in_double << " in double");
-  CHECK(in_float < 1e-5);
-  CHECK(in_double < 1e-5);
+  CHECK(in_float < 2e-6);
+  CHECK(in_double < 2e-6);
   CHECK(in_double > 0);  // it is not the same code
 }
 

@@ -170,9 +170,7 @@ TEST_SUITE("rl_sar") {
     CHECK(said(in, ", \"actions\"]", "]")
               .starts_with("map.toml:17: `observation.actions.is`: the policy has no observation"));
     CHECK(said(in, "rl_kp: [20.0", "rl_kp: [0.0") ==
-          "the gains of left_hip are 0 N m/rad and 0.5 N m s/rad: a stiffness of zero or less was baked in, "
-          "and the "
-          "joint would hang");
+          "`stiffness` is zero or less: left_hip 0 N m/rad: it was baked in, and there the robot would hang");
     CHECK(said(in, "rl_kd: [0.5, 0.75, 0.5, 0.75]", "rl_kd: [0.5, 0.75, 0.5]")
               .find("`damping` has 3 numbers, expected 4") != std::string::npos);
     CHECK(said(in, "  observations: [", "  seen: [") ==
