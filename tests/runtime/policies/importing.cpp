@@ -160,6 +160,10 @@ TEST_CASE("weights beside the model are read within the bounds of their file") {
         "beside.onnx: damaged: the tensor `t1` has 1281 numbers, which is not what its shape says");
   CHECK(with("5120", "-120").find("at `-120`, which is no number of bytes") != std::string::npos);
   CHECK(with("5120", "9999").find("ends within a number") != std::string::npos);
+  CHECK(with("35072", "90000") ==
+        "beside.onnx: the tensor `t22` lies in `beside.onnx.data` up to byte 90000, and the file has 35088: "
+        "it is "
+        "damaged, or of another export");
   // Only the text is known.
   try {
     (void)cca_policy::read_onnx(cca::detail::read_file(networks + "beside.onnx"));
