@@ -133,7 +133,8 @@ private:
   }
   static bool is_empty_text(const toml::node& node) {
     if (const auto* list = node.as_array()) return std::ranges::any_of(*list, is_empty_text);
-    return node.is_string() && node.value<std::string>()->empty();
+    const auto text = node.value<std::string>();
+    return node.is_string() && text && text->empty();
   }
   static bool add(const toml::node& node, statement& s) {
     if (const auto number = node.value<double>(); number && node.is_number()) {
