@@ -16,8 +16,10 @@ namespace pytorch_walk {
 
 // [teacher]
 // At the policy's rate.
-struct slow : cca::mapping<oncilla::leg_angles, targets, decltype([](const auto& q) { return q.vector(); })> {
+struct same_angles {
+  auto operator()(const auto& q) const { return q.vector(); }
 };
+struct slow : cca::mapping<oncilla::leg_angles, targets, same_angles> {};
 
 // Sees the lesson, too: Python takes these numbers apart.
 struct taught
