@@ -8,6 +8,8 @@
 //       the controller, in a second process; it is the program for a real robot
 //   ... --pace lock-step
 //       for all: on a machine that is too slow for real time; for a live twin (docs/door.md)
+//   hardware_in_the_loop --replay run.mcap
+//       computes a recording of it again, and compares
 //
 // Exit code 0: nothing tripped and, where the program can see it, the robot came forward and has not fallen.
 // Role `drives`: 2 if all drives stopped by their watchdogs.
@@ -15,11 +17,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <span>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -32,7 +36,8 @@
 #include <cca/runtime/interruption.hpp>
 
 #if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>  // offers --record
+#include <cca/record.hpp>                // offers --record
+#include <cca/record/replay_option.hpp>  // offers --replay
 #endif
 #if __has_include(<cca/door.hpp>)
 #include <cca/door.hpp>  // offers --door
@@ -123,17 +128,24 @@ struct in_one_process : cca::robot_program<observed<memory_end>> {
   explicit in_one_process(const wishes& o) {
     settings = o.run;
     if (!settings.door || o.lock_step) settings.speed.reset();  // the buses have virtual time
+    is_watched = settings.door && o.lock_step;
     offers.push_back(
         {.name = "push",
          .help = "pushes the trunk",
          .arguments = {{"forward", 10, -60, 60, "N"}, {"left", 0, -60, 60, "N"}},
          .begin = [this](controller_type&, std::span<const double> n) { far.push({n[0], n[1], 0}); },
          .end = [this](controller_type&) { far.push({0, 0, 0}); }});
-    std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
+    offers.push_back({.name = "put_down",
+                      .help = "in a pause: lifts it and puts it down as at its start, for a start anew",
+                      .begin = [this](controller_type&, auto) { far.put_down(hil::put_down(), {}); }});
   }
 
-  void prepare(controller_type& c) override { far.connect(c); }
+  void prepare(controller_type& c) override {
+    far.connect(c);
+    std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
+  }
   bool between(controller_type& c) override {
+    if (is_watched) wait_for_clock();
     far.pass_millisecond();
     if (c.beat_index() % 1000 == 0)
       std::printf("%2lld s: %.2f m\n", static_cast<long long>(c.beat_index() / 1000),
@@ -155,7 +167,16 @@ struct in_one_process : cca::robot_program<observed<memory_end>> {
   int finish(controller_type&) override { return result; }
 
 private:
+  // Who looks, pushes and tunes sees it as fast as it would walk, or slower. What was late is not caught up.
+  void wait_for_clock() {
+    using namespace std::chrono_literals;
+    next_beat = std::max(next_beat + 1ms, std::chrono::steady_clock::now());
+    std::this_thread::sleep_until(next_beat);
+  }
+
   memory_buses far;
+  bool is_watched = false;
+  std::chrono::steady_clock::time_point next_beat{};
   int result = 0;
 };
 
@@ -282,6 +303,7 @@ int main(int count, char** words) {
   cca::command_line line("the trot moves virtual drives around the simulated Oncilla, over CAN buses");
   o.offer(line);
   using controller = in_one_process::controller_type;
+  cca::offer_replay<controller>(line, o.run);
   cca::offer_door<controller>(line, o.run);
   cca::offer_descriptions<controller>(line, [&o](controller& c) {
     for (const std::string& file : o.run.configs) cca::read_parameters(c, file);

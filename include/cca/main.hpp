@@ -28,6 +28,12 @@ void offer_door([[maybe_unused]] command_line& line, [[maybe_unused]] run_settin
   if constexpr (detail::HasDoor<Controller>) detail::offer_door(line, s);
 }
 
+// Likewise `--replay`, if <cca/record/replay_option.hpp> is included.
+template <class Controller>
+void offer_replay([[maybe_unused]] command_line& line, [[maybe_unused]] run_settings& s) {
+  if constexpr (detail::HasReplay<Controller>) detail::offer_replay(line, s);
+}
+
 // Runs the robot of a program by its settings. Returns the exit code; what is refused is thrown.
 template <class Program>
 int run_robot(Program& program, const std::string& name) {

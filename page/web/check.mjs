@@ -9,6 +9,7 @@ import { checkDoor, checkManyOutputs } from './check_door.mjs';
 import { checkInputTest } from './check_input_test.mjs';
 import { checkFault, checkSkills } from './check_skills.mjs';
 import { checkDescribed, checkPages, checkRecording, checkRefusals } from './check_recording.mjs';
+import { checkSession } from './check_session.mjs';
 import { checkTouch } from './check_touch.mjs';
 import { checkTrot } from './check_trot.mjs';
 import { checkTwin, checkTwinOnDrives } from './check_twin.mjs';
@@ -71,7 +72,7 @@ const position = async (page) => [await number(page, '#x'), await number(page, '
 const state = (page) => text(page, '#state');
 
 // `--only touch`: while you work on them.
-const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages, described: checkDescribed, door: checkDoor, test: checkInputTest, twin: checkTwin, drives: checkTwinOnDrives, many: checkManyOutputs, viewer: checkViewer };
+const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages, described: checkDescribed, door: checkDoor, test: checkInputTest, twin: checkTwin, drives: checkTwinOnDrives, session: checkSession, many: checkManyOutputs, viewer: checkViewer };
 const wanted = options.only?.split(',') ?? Object.keys(parts);
 for (const part of wanted) await parts[part]({ options, check, near, open, text, number, settle, message, press, runAhead, parameter, picture, accessible, position, state, requests, browser, complaints });
 

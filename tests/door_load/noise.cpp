@@ -92,6 +92,7 @@ public:
         R"({"op":"subscribeParameterUpdates","parameterNames":[]})",
         R"({"op":"subscribeConnectionGraph"})",
         R"({"op":"cca.describe"})",
+        R"({"op":"cca.twin","says":"the same, bit for bit"})",
         R"({"op":"cca.token","token":"0123456789abcdef"})",
         R"({"op":"advertise","channels":[{"id":1,"topic":"/a","encoding":"json","schemaName":"x"}]})",
         "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",

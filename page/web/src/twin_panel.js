@@ -24,6 +24,7 @@ export class TwinPanel {
     this.isRunning = false;
     this.worker.postMessage({});
     this.buttons();
+    this.report('ended', '');
     $('twin').textContent = `${$('twin').textContent.replace(/ \(ended here\)$/, '')} (ended here)`;
   }
   show(told) {
@@ -33,6 +34,14 @@ export class TwinPanel {
     if ($('twin').textContent !== text) $('twin').textContent = text;
     $('twin').dataset.state = told.state;
     this.buttons();
+    this.report(told.state, text);
+  }
+  // So others that look at the program, in a terminal too, see what the twin finds: each new finding, and twice a second.
+  report(state, text) {
+    const now = performance.now();
+    if (!this.door.isConnected || !this.door.rights.mayChange || state === 'begins' || (state === this.reported && now - this.reportedAt < 500)) return;
+    Object.assign(this, { reported: state, reportedAt: now });
+    this.door.send({ op: 'cca.twin', says: text });
   }
   buttons() {
     const text = this.isRunning ? '■ end the twin' : '▶ run the twin';

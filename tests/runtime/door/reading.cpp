@@ -244,6 +244,35 @@ TEST_CASE("The status comes ten times a second while somebody reads it") {
   CHECK(sample_of(c, 5, "state")["beat"].get<std::int64_t>() >= before + 3);
 }
 
+TEST_CASE("What the twin of a client finds is in the status, by the token, and goes with the client") {
+  opened one;
+  client c(one.port());
+  c.subscribe(5, 60001);
+  const auto twins = [&] {
+    c.samples.clear();
+    return sample_of(c, 5, "state")["twins"];
+  };
+  CHECK(twins().empty());
+  {
+    client watcher(one.port(), token);
+    watcher.text({{"op", "cca.twin"}, {"says", "the same, bit for bit: 5 beats"}});
+    CHECK(soon([&] { return !twins().empty(); }));
+    CHECK(twins().size() == 1);
+    CHECK(twins()[0]["says"] == "the same, bit for bit: 5 beats");
+    CHECK(twins()[0]["client"].get<std::string>().starts_with("127.0.0.1:"));
+    watcher.text({{"op", "cca.twin"}, {"says", std::string(2000, 'x')}});
+    CHECK(soon([&] { return twins()[0]["says"].get<std::string>() == std::string(400, 'x'); }));
+    watcher.text({{"op", "cca.twin"}, {"says", ""}});
+    CHECK(soon([&] { return twins().empty(); }));
+    watcher.text({{"op", "cca.twin"}, {"says", "the same"}});
+    CHECK(soon([&] { return !twins().empty(); }));
+  }
+  CHECK(soon([&] { return twins().empty(); }));
+  c.text({{"op", "cca.twin"}, {"says", "the same"}});
+  CHECK(c.is_told("cca.twin: this needs the token"));
+  CHECK(twins().empty());
+}
+
 TEST_CASE("The log tells who has changed what, to who comes later too") {
   opened one;
   client c(one.port(), token);

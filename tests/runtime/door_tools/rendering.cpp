@@ -83,22 +83,31 @@ struct shown_program {
       channels.push_back(channel_json(4 + i, prefix + std::to_string(i) + "/status"));
     model.take(text_event({{"op", "advertise"}, {"channels", channels}}));
     rights(true, false, "");
-    model.take(text_event({{"op", "cca.description"},
-                           {"program", "trot"},
-                           {"nodes", {"gait", "robot", "sink"}},
-                           {"parameters",
-                            {{{"path", "gait.frequency"},
-                              {"kind", "number"},
-                              {"value", 1.5},
-                              {"unit", "Hz"},
-                              {"lower", 0.1},
-                              {"upper", 5.0},
-                              {"choices", json::array()}},
-                             {{"path", "gait.kind"},
-                              {"kind", "text"},
-                              {"value", "trot"},
-                              {"unit", ""},
-                              {"choices", {"trot", "walk"}}}}}}));
+    model.take(
+        text_event({{"op", "cca.description"},
+                    {"program", "trot"},
+                    {"nodes", {"gait", "robot", "sink"}},
+                    {"parameters",
+                     {{{"path", "gait.frequency"},
+                       {"kind", "number"},
+                       {"value", 1.5},
+                       {"unit", "Hz"},
+                       {"lower", 0.1},
+                       {"upper", 5.0},
+                       {"choices", json::array()}},
+                      {{"path", "gait.kind"},
+                       {"kind", "text"},
+                       {"value", "trot"},
+                       {"unit", ""},
+                       {"choices", {"trot", "walk"}}}}},
+                    {"commands",
+                     {{{"name", "push"},
+                       {"help", "pushes the trunk"},
+                       {"held", true},
+                       {"arguments",
+                        {{{"name", "forward"}, {"unit", "N"}, {"value", 10}, {"lower", -60}, {"upper", 60}},
+                         {{"name", "left"}, {"unit", "N"}, {"value", 0}, {"lower", -60}, {"upper", 60}}}}},
+                      {{"name", "wave"}, {"help", ""}, {"held", false}, {"arguments", json::array()}}}}}));
     status(status_json());
     lines();
     model.look_at(view.looked_at);
@@ -130,6 +139,16 @@ struct shown_program {
     keys.add(bytes);
     while (const auto one = keys.next(true)) press(*one, model, view);
   }
+  // The door's answer to the calls that it wants to send; empty: it is done.
+  void answer(const std::string& refusal = {}) {
+    std::uint32_t call = 0;
+    for (const to_door& one : std::exchange(model.outgoing, {})) {
+      model.called(++call, one);
+      model.take({.what = event::kind::answer,
+                  .message = {{"success", refusal.empty()}, {"message", refusal}},
+                  .id = call});
+    }
+  }
   // Services and messages that it wants to send, and forgets.
   std::string asked() {
     std::string all;
@@ -154,7 +173,7 @@ TEST_CASE("a whole screen of 80 by 24") {
   CHECK_EQ(lines[6], "output                              rate       age  values");
   CHECK_EQ(lines[7].substr(0, 50), "gait.angles                            -  none yet");
   CHECK_EQ(lines[9], "sink                                                no outputs");
-  CHECK_EQ(lines[23], " SPACE STOP  c command p pause g go on n step / find q quit");
+  CHECK_EQ(lines[23], " SPACE STOP  c command p pause g go on n step w end recording / find q quit");
 }
 
 TEST_CASE("rates and ages are those of virtual time") {
@@ -322,6 +341,20 @@ TEST_CASE("without the right to command nothing is sent, and it says who has it"
   CHECK_EQ(p.asked(), R"(/cca/pause{};/cca/go_on{};/cca/step{"beats":1};/cca/undo{};/cca/give_command{};)");
 }
 
+TEST_CASE("before the door has told its rights nothing is sent, and nobody is said to command") {
+  shown_program p;
+  p.model.take({.what = event::kind::opened});
+  p.asked();
+  p.press_keys("pgnucw");
+  CHECK_EQ(p.asked(), "");
+  CHECK_NE(p.line_with("asks the door what you may do"), "");
+  CHECK_EQ(p.line_with("nobody commands"), "");
+  CHECK_NE(p.line_with("the door has not said yet what you may do"), "");
+  p.rights(true, false, "");
+  p.press_keys("c");
+  CHECK_NE(p.asked().find("/cca/take_command{};"), std::string::npos);
+}
+
 TEST_CASE("a value is typed, sent, taken or refused") {
   shown_program p;
   p.rights(true, true, "127.0.0.1:2");
@@ -347,6 +380,97 @@ TEST_CASE("a value is typed, sent, taken or refused") {
   p.press_keys("\r9\x1b");  // escape: as it was
   CHECK_EQ(p.view.types, top_view::typing::nothing);
   CHECK_NE(p.line_with("gait.frequency                  3.5"), "");
+}
+
+TEST_CASE("a command is held from one enter to the next") {
+  shown_program p;
+  p.press_keys("5");
+  CHECK_NE(p.line_with("push              forward (-60 to 60 N), left (-60 to 60 N)  pushes the trunk"), "");
+  p.asked();
+  p.press_keys("\r");
+  CHECK_EQ(p.asked(), "");
+  CHECK_NE(p.line_with("press c to take the right to command first"), "");
+  p.rights(true, true, "127.0.0.1:2");
+  p.press_keys("\r");
+  CHECK_NE(p.line_with("push forward=10,left=0"), "");
+  p.press_keys("\x15left=-5\r");
+  REQUIRE_EQ(p.model.outgoing.size(), 1);
+  CHECK_EQ(p.model.outgoing[0].message.dump(), R"({"left":-5.0})");
+  CHECK_EQ(p.line_with("HELD"), "");  // not before the door says so
+  p.answer("it has fallen");
+  CHECK_EQ(p.line_with("HELD"), "");
+  CHECK_NE(p.line_with("it has fallen"), "");
+  p.press_keys("\r\r");
+  CHECK_EQ(p.model.outgoing[0].message.dump(), R"({"left":-5.0})");  // what was typed last
+  p.answer();
+  CHECK_NE(p.line_with("push              HELD, enter releases it"), "");
+  CHECK_NE(p.line_with("enter release"), "");
+  p.press_keys("\r");
+  CHECK_EQ(p.model.outgoing[0].service, "/cca/release/push");
+  p.answer();
+  CHECK_EQ(p.line_with("HELD"), "");
+  // The door releases it where the right to command, or the connection, is lost.
+  p.press_keys("\r\r");
+  p.answer();
+  CHECK_NE(p.line_with("HELD"), "");
+  p.rights(true, false, "127.0.0.1:9");
+  CHECK_EQ(p.line_with("HELD"), "");
+  p.rights(true, true, "127.0.0.1:2");
+  p.press_keys("\r\r");
+  p.answer();
+  p.model.take({.what = event::kind::closed, .bytes = "gone"});
+  CHECK_EQ(p.line_with("HELD"), "");
+}
+
+TEST_CASE("what is no argument of a command is not sent, and one without arguments is called at once") {
+  shown_program p;
+  p.rights(true, true, "127.0.0.1:2");
+  p.asked();
+  p.press_keys("5\r\x15up=3\r");
+  CHECK_NE(p.line_with("push: up=3: expected an argument, as forward=1"), "");
+  p.press_keys(
+      "\r\x15"
+      "forward\r");
+  CHECK_NE(p.line_with("push: forward: expected an argument"), "");
+  p.press_keys(
+      "\r\x15"
+      "forward=much\r");
+  CHECK_NE(p.line_with("forward = much: expected a number, -60 to 60 N"), "");
+  CHECK_EQ(p.asked(), "");
+  p.press_keys("j\r");
+  CHECK_EQ(p.asked(), "/cca/command/wave{};");
+  p.press_keys("/pu\r");
+  CHECK_EQ(p.line_with("wave"), "");
+}
+
+TEST_CASE("w records into a file, and ends it") {
+  shown_program p;
+  p.rights(true, true, "127.0.0.1:2");
+  p.asked();
+  p.press_keys("w");  // trot.mcap is being recorded
+  CHECK_EQ(p.asked(), "/cca/end_recording{};");
+  json idle = status_json();
+  idle["recording"] = "";
+  p.status(idle);
+  p.press_keys("w");
+  CHECK_NE(p.line_with("record into run.mcap"), "");
+  p.press_keys("\x15walk.mcap\r");
+  CHECK_EQ(p.asked(), R"(/cca/record{"file":"walk.mcap"};)");
+  p.press_keys("w\x1b");
+  CHECK_EQ(p.asked(), "");
+  p.rights(true, false, "127.0.0.1:9");
+  p.press_keys("w");
+  CHECK_EQ(p.view.types, top_view::typing::nothing);
+}
+
+TEST_CASE("what the twins of others find is above the pages") {
+  shown_program p;
+  json told = status_json();
+  told["twins"] = {{{"client", "127.0.0.1:7"}, {"says", "the same, bit for bit: 9 beats"}},
+                   {{"client", "192.168.1.5:7"}, {"says", "first difference: component cpg"}}};
+  p.status(told);
+  CHECK_EQ(p.lines()[3], "twin of 127.0.0.1:7: the same, bit for bit: 9 beats");
+  CHECK_EQ(p.lines()[4], "twin of 192.168.1.5:7: first difference: component cpg");
 }
 
 TEST_CASE("a long refusal has two lines") {

@@ -69,6 +69,25 @@ TEST_CASE("it shows the program, changes a parameter, stops the run, and leaves 
   CHECK(t.is_as_before());
 }
 
+TEST_CASE("it holds a command of the program, and what it held ends with it") {
+  played_program p;
+  const beating now(p);
+  in_terminal t(CCA_TOP, {p.address()}, in_environment());
+  CHECK(t.shows("nobody commands"));
+  t.type("c");
+  CHECK(t.shows("YOU COMMAND"));
+  t.type("5\r");
+  CHECK(t.shows("force=0,angle=0"));
+  t.type(
+      "\x15"
+      "force=20\r");
+  CHECK(t.shows("HELD"));
+  CHECK(p.controls.fake.was_asked(about::call));
+  t.type("q");
+  CHECK_EQ(t.end(), 0);
+  CHECK(door_test::soon([&] { return p.controls.fake.was_asked(about::release); }));
+}
+
 TEST_CASE("without a token it only reads, with a wrong one it says so") {
   played_program p;
   {

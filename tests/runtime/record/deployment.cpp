@@ -2,6 +2,7 @@
 // one loop it is replayed bit for bit.
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -181,6 +182,47 @@ TEST_CASE("a deployment is recorded into one file, in the order of the beats, an
   const auto other =
       cca::recording::replay<split>(file.path, [](auto& c) { c.template get<"thinker">().s[0] = 1e-9; });
   CHECK(other.difference.find("`thinker.y`, beat 0: recorded [") == 0);
+}
+
+TEST_CASE("a file that ends while the loops run ends after a whole beat of all, and is replayed") {
+  for (int n = 0; n < 4; ++n) {
+    const temporary_file file("ends");
+    {
+      cca::deployed<split> d;
+      cca::recording::recorder recording(d, file.path, {.waits = true});
+      std::atomic<bool> is_time = false;
+      std::thread other([&] {
+        is_time.wait(false);
+        recording.end_file();
+      });
+      d.load();
+      d.start();
+      d.run(cca::for_beats<700>{}, {}, [&](auto& running) {
+        if (running.beat_index() == 200 + 37 * n) is_time = true, is_time.notify_one();
+        return true;
+      });
+      other.join();
+      CHECK(recording.recorded_into() == "");
+    }
+    const auto result = cca::recording::replay<split>(file.path);
+    INFO(result);
+    CHECK(result);
+    CHECK(result.beats >= 200);
+  }
+}
+
+TEST_CASE("a file that ends where no beat comes ends at once") {
+  const temporary_file file("rests");
+  cca::deployed<split> d;
+  cca::recording::recorder recording(d, file.path, {.waits = true});
+  d.load();
+  d.start();
+  d.run(cca::for_beats<300>{});
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // all is written
+  const auto began = std::chrono::steady_clock::now();
+  recording.end_file();
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::milliseconds(900));
+  CHECK(cca::recording::replay<split>(file.path).beats == 300);
 }
 
 TEST_CASE("the file says which environments are in it") {

@@ -94,13 +94,15 @@ inline void status(conversation& door, const call_options& o, std::ostream& out)
       "no status comes");
   if (o.json) return void(out << written(now, 2) << '\n');
   for (const auto& [name, value] : now.items()) {
-    if (name != "environments")
+    if (name != "environments" && name != "twins")
       out << name << ' ' << text_of_value(value.is_null() ? json("") : value) << '\n';
   }
   for (const json& one : list_in(now, "environments"))
     for (const auto& [name, value] : one.items())
       if (name != "name")
         out << "environments." << text_in(one, "name") << '.' << name << ' ' << text_of_value(value) << '\n';
+  for (const json& one : list_in(now, "twins"))
+    out << "twins." << text_in(one, "client") << ' ' << text_in(one, "says") << '\n';
 }
 
 inline void describe(conversation& door, const call_options& o, std::ostream& out) {

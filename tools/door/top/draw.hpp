@@ -109,6 +109,9 @@ public:
       case page::environments:
         environment_rows(view.here().first, rows);
         break;
+      case page::commands:
+        commands(rows);
+        break;
     }
     while (all.size() < end) line();
     // On a terminal of a few lines the head gives way: what is said and the keys stay.
@@ -159,9 +162,10 @@ private:
     if (!model.is_open) third.add("below is what it told last", style::faint);
     else if (!model.has_token || (model.door.has_rights && !model.door.may_change))
       third.add("you only read", style::bold);
+    else if (!model.door.has_rights) third.add("asks the door what you may do", style::faint);
     else if (model.door.commands) third.add("YOU COMMAND", style::bold);
     else third.add("you may take the command", style::bold);
-    if (model.is_open && !model.door.commands)
+    if (model.is_open && model.door.has_rights && !model.door.commands)
       third.add(model.door.commanded_by.empty() ? ", nobody commands"
                                                 : ", " + model.door.commanded_by + " commands");
     if (const auto clients = whole_in(model.status, "clients"); clients > 0)
@@ -176,6 +180,12 @@ private:
     std::string parts;
     for (const std::string& one : texts_in(model.status, "stopped_parts")) parts += " " + one;
     if (!parts.empty()) line().add("stopped:" + parts, style::bold);
+    for (const json& one : list_in(model.status, "twins")) {
+      const std::string says = text_in(one, "says");
+      line()
+          .add("twin of " + text_in(one, "client") + ": ", style::faint)
+          .add(says, says.starts_with("first difference") ? style::alarm : style::bold);
+    }
   }
 
   // ---- environments ----
@@ -256,6 +266,9 @@ private:
       case page::environments:
         environment_titles();
         break;
+      case page::commands:
+        line().add(left("command", command_width, utf8) + "  arguments", style::faint);
+        break;
     }
   }
   bool is_chosen(std::size_t i) const { return i == view.here().chosen; }
@@ -303,6 +316,32 @@ private:
                  style::faint);
   }
 
+  static constexpr std::size_t command_width = 16;
+  void commands(std::size_t rows) {
+    const auto known = view.commands(model);
+    for (std::size_t i = view.here().first; i < known.size() && i < view.here().first + rows; ++i) {
+      const command& one = *known[i];
+      screen_line& l = line();
+      l.add(left(one.name, command_width, utf8), is_chosen(i) ? style::chosen : style::plain).add("  ");
+      if (model.held.contains(one.name)) l.add("HELD, enter releases it  ", style::alarm);
+      l.add(arguments_text(one));
+      l.add((one.arguments.empty() ? "" : "  ") + one.help, style::faint);
+    }
+    if (known.empty() && rows > 0)
+      line().add(
+          view.filter.empty() ? "the program offers none" : "no command has /" + view.filter + " in its name",
+          style::faint);
+  }
+  // `forward (-60 to 60 N), left (-60 to 60 N)`
+  static std::string arguments_text(const command& of) {
+    std::string text;
+    for (const parameter& one : of.arguments) {
+      const std::string range = range_of(one).empty() ? one.unit : range_of(one);
+      text += (text.empty() ? "" : ", ") + one.path + (range.empty() ? "" : " (" + range + ")");
+    }
+    return text;
+  }
+
   // Of this machine the port says who it is.
   static std::string client_text(const std::string& client) {
     return client.starts_with("127.0.0.1:") ? client.substr(9) : client;
@@ -332,6 +371,8 @@ private:
     }
     screen_line& l = line();
     if (view.types == top_view::typing::filter) l.add("/", style::bold);
+    else if (view.types == top_view::typing::file) l.add("record into ", style::bold);
+    else if (view.types == top_view::typing::arguments) l.add(view.typed_for + " ", style::bold);
     else {
       std::string range;
       for (const parameter& one : model.parameters)
@@ -373,12 +414,17 @@ private:
     };
     if (view.types == top_view::typing::value) return add("enter", "set"), add("esc", "leave it as it is");
     if (view.types == top_view::typing::filter) return add("enter", "keep"), add("esc", "show all");
+    if (view.types != top_view::typing::nothing)
+      return add("enter", view.types == top_view::typing::file ? "record" : "do it"), add("esc", "don't");
     if (model.has_token) {
       add("c", model.door.commands ? "give it back" : "command");
       if (text_in(model.status, "state") == "faulted") add("r", "resume"), add("s", "start anew");
       else if (text_in(model.status, "state") == "loaded") add("s", "start");
       else add("p", "pause"), add("g", "go on"), add("n", "step");
       if (view.at == page::parameters) add("enter", "set"), add("u", "undo");
+      else add("w", text_in(model.status, "recording").empty() ? "record" : "end recording");
+      if (const command* const of = view.chosen_command(model))
+        add("enter", model.held.contains(of->name) ? "release" : of->name);
     }
     add("/", "find"), add("q", "quit");
   }

@@ -107,7 +107,7 @@ private:
       const auto service = model.door.services.find(one.service);
       if (service == model.door.services.end())
         model.remark_on("this door has no service " + one.service, true);
-      else model.called(line->call(service->second, one.message), one.said);
+      else model.called(line->call(service->second, one.message), one);
     }
   }
   static bool has_utf8() {

@@ -25,6 +25,34 @@ struct to_door {
   std::string said{};     // what the user asked for
 };
 
+// What the program offers beside what every run knows. Held: it acts until it is released.
+struct command {
+  std::string name{}, help{};
+  bool is_held = false;
+  std::vector<parameter> arguments{};  // numbers
+};
+
+inline std::vector<command> commands_of(const json& description) {
+  std::vector<command> all;
+  for (const json& one : list_in(description, "commands")) {
+    command c{text_in(one, "name"), text_in(one, "help"), is_set(one, "held"), {}};
+    for (const json& argument : list_in(one, "arguments")) {
+      parameter p{text_in(argument, "name"),
+                  "number",
+                  text_in(argument, "unit"),
+                  member(argument, "value"),
+                  {},
+                  {},
+                  {}};
+      const double lower = number_in(argument, "lower"), upper = number_in(argument, "upper");
+      if (lower < upper) p.lower = lower, p.upper = upper;
+      c.arguments.push_back(std::move(p));
+    }
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
 struct log_line {
   double time = 0;  // s since 1970
   std::string client{}, what{};
@@ -41,6 +69,8 @@ public:
   json status{}, description{};
   std::vector<watched_output> outputs{};
   std::vector<parameter> parameters{};
+  std::vector<command> commands{};
+  std::set<std::string> held{};  // commands that this client holds
   std::deque<log_line> log{};
   std::uint64_t now = 0;  // ns, virtual
   std::vector<to_door> outgoing{};
@@ -74,7 +104,7 @@ public:
   }
 
   // The client has sent a call: its answer will have this number.
-  void called(std::uint32_t number, const std::string& said) { calls[number] = said; }
+  void called(std::uint32_t number, const to_door& what) { calls[number] = what; }
 
   void ask(const std::string& service, const std::string& said, json arguments = json::object()) {
     outgoing.push_back({std::move(arguments), service, said});
@@ -125,7 +155,8 @@ private:
   static constexpr std::uint32_t status_subscription = 1, log_subscription = 2;
   static constexpr std::size_t most_lines = 500;
 
-  std::map<std::uint32_t, std::string> by_subscription{}, calls{};
+  std::map<std::uint32_t, std::string> by_subscription{};
+  std::map<std::uint32_t, to_door> calls{};
   std::map<std::string, std::size_t> place{};  // of an output, by path
   std::uint32_t last_subscription = log_subscription;
   std::string last_set{};
@@ -145,6 +176,7 @@ private:
     is_open = false;
     why_closed = why;
     door.commands = false, door.has_rights = false;
+    held.clear();
     outgoing.clear();
     calls.clear();
   }
@@ -158,6 +190,7 @@ private:
     else if (op == "cca.description") {
       description = message;
       parameters = parameters_of(message);
+      commands = commands_of(message);
     } else if (op == "parameterValues") {
       values(message);
     } else if (op == "serviceCallFailure") {
@@ -166,6 +199,7 @@ private:
     }
   }
   void rights(bool had_rights) {
+    if (!door.commands) held.clear();  // the door releases what it held
     if (!had_rights && has_token && !door.may_change)
       remark_on("this is not the token of this door: you only read", true);
     if (!door.may_read || has_asked) return;
@@ -240,12 +274,19 @@ private:
     const auto call = calls.find(one.id);
     if (call == calls.end()) return;
     const bool is_done = is_set(one.message, "success");
-    const std::string why = text_in(one.message, "message");
-    remark_on(is_done       ? call->second + (why.empty() ? "" : ": " + why)
-              : why.empty() ? call->second + " was refused"
+    const std::string why = text_in(one.message, "message"), &said = call->second.said;
+    remark_on(is_done       ? said + (why.empty() ? "" : ": " + why)
+              : why.empty() ? said + " was refused"
                             : why,
               !is_done);
+    if (is_done) done(call->second.service);
     calls.erase(call);
+  }
+  void done(const std::string& service) {
+    constexpr std::string_view begins = "/cca/command/", ends = "/cca/release/";
+    if (service.starts_with(ends)) held.erase(service.substr(ends.size()));
+    for (const command& one : commands)
+      if (one.is_held && door.commands && service == std::string(begins) + one.name) held.insert(one.name);
   }
 };
 

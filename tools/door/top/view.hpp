@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,9 +14,9 @@
 
 namespace cca_door {
 
-enum class page { components, parameters, log, environments };
-inline constexpr std::array<std::string_view, 4> page_names{"components", "parameters", "log",
-                                                            "environments"};
+enum class page { components, parameters, log, environments, commands };
+inline constexpr std::array<std::string_view, 5> page_names{"components", "parameters", "log", "environments",
+                                                            "commands"};
 
 // A line of the page of components: an output, or a component that has none.
 struct component_row {
@@ -24,16 +25,18 @@ struct component_row {
 };
 
 struct top_view {
-  enum class typing { nothing, value, filter };
+  enum class typing { nothing, value, filter, arguments, file };
   struct place {
     std::size_t chosen = 0, first = 0;  // of the rows: the chosen one, and the one at the top
   };
 
   page at = page::components;
-  std::array<place, 4> places{};
+  std::array<place, page_names.size()> places{};
   std::string filter{};
   typing types = typing::nothing;
-  std::string typed{}, typed_for{};  // for which parameter
+  std::string typed{}, typed_for{};            // for which parameter or command
+  std::map<std::string, std::string> given{};  // the last arguments of a command
+  std::string file = "run.mcap";               // of the last recording
   std::size_t cursor = 0;
   std::size_t rows_shown = 1;         // by the last drawing
   std::set<std::string> looked_at{};  // outputs whose row was shown
@@ -60,6 +63,12 @@ struct top_view {
       if (fits_filter(one.path)) all.push_back(&one);
     return all;
   }
+  std::vector<const command*> commands(const top_model& of) const {
+    std::vector<const command*> all;
+    for (const command& one : of.commands)
+      if (fits_filter(one.name)) all.push_back(&one);
+    return all;
+  }
   std::size_t row_count(const top_model& of) const {
     switch (at) {
       case page::components:
@@ -70,12 +79,18 @@ struct top_view {
         return of.log.size();
       case page::environments:
         return list_in(of.status, "environments").size();
+      case page::commands:
+        return commands(of).size();
     }
     return 0;
   }
   const parameter* chosen_parameter(const top_model& of) const {
     const auto all = parameters(of);
     return at == page::parameters && here().chosen < all.size() ? all[here().chosen] : nullptr;
+  }
+  const command* chosen_command(const top_model& of) const {
+    const auto all = commands(of);
+    return at == page::commands && here().chosen < all.size() ? all[here().chosen] : nullptr;
   }
 
   // The chosen row stays on the screen, whatever rows come and go.

@@ -102,7 +102,8 @@ public:
   void remove(message_sink& one) { outlets.remove(one); }
 
   // A file from now on, and its end. From any thread. Refused: a second file, and to end none. A file that
-  // begins after the first beat can be looked at, not replayed.
+  // begins after the first beat can be looked at, not replayed. It ends after a whole beat of all loops, if
+  // they reach one within a second.
   void begin_file(const std::string& name) {
     const std::scoped_lock lock(guard_of_file);
     if (file) throw refused("cca::record: " + name + " is refused: " + file_name + " is being recorded");
@@ -111,9 +112,11 @@ public:
     outlets.add(*file);
   }
   void end_file() {
-    const std::scoped_lock lock(guard_of_file);
+    std::unique_lock lock(guard_of_file);
     if (!file) throw refused("cca::record: nothing is being recorded into a file");
-    end_file_in_order();
+    ends_file.store(true, std::memory_order_release);  // the thread that writes knows where a beat ends
+    if (writer.joinable()) file_ended.wait_for(lock, std::chrono::seconds(1), [this] { return !file; });
+    if (file) end_file_in_order();
   }
   // Empty: none.
   std::string recorded_into() const {
@@ -223,6 +226,14 @@ private:
     file->close();
     if (what_failed.empty()) what_failed = file->problem();
     file.reset();
+    ends_file.store(false, std::memory_order_relaxed);
+    file_ended.notify_all();
+  }
+  // `reached`: no sample of an earlier beat will come.
+  void end_file_after_beat(std::int64_t reached) {
+    if (!ends_file.load(std::memory_order_acquire) || reached <= last_beat) return;
+    const std::scoped_lock lock(guard_of_file);
+    if (file && ends_file.load(std::memory_order_relaxed)) end_file_in_order();
   }
   // The oldest item of all loops. A loop that is behind is waited for, unless the ring of another one gets
   // full meanwhile. False: there is none yet.
@@ -239,12 +250,14 @@ private:
       if (one->has_item() && (!oldest || next < first)) oldest = one, first = next;
     };
     for (auto* one : sources) look_at(one);
+    end_file_after_beat(earliest);
     if (!oldest || (first.first > earliest && !is_urgent)) return false;
     // load() tells each loop of its parameters and then the first one of the state. Who saw the state before
     // the parameters sees them now.
     if (oldest->is_event())
       for (auto* one : sources)
         if (one != oldest) look_at(one);
+    if (!oldest->is_event()) last_beat = first.first;
     oldest->write_item();
     return true;
   }
@@ -264,11 +277,11 @@ private:
   typename recorded::loops loops;
   std::vector<detail::loop_source*> sources;
   Controller* of;
-  std::int64_t end = -1;
+  std::int64_t end = -1, last_beat = -1;  // last_beat: of which a sample was written
   bool is_closed = false, is_discarded = false;
-  std::atomic<bool> is_closing{false};
+  std::atomic<bool> is_closing{false}, ends_file{false};
   mutable std::mutex guard, guard_of_file;  // of notes; of file, its name and what_failed: never the loops'
-  std::condition_variable wake;
+  std::condition_variable wake, file_ended;
   std::vector<std::pair<std::string, detail::text_map>> notes;
   std::string what_failed;
   std::thread writer;

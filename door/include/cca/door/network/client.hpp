@@ -47,6 +47,7 @@ struct door_client {
   bool knows_cca =
       false;  // it has sent a message that is the door's own: others would take ours for an error
   int wrong_tokens = 0;
+  std::string twin{};  // what it says that its twin finds; empty: it runs none
   std::map<std::uint32_t, std::uint16_t> subscriptions{};  // to its channel
   bool all_parameters = false, wants_graph = false;
   std::set<std::string, std::less<>> parameters{};  // subscribed to

@@ -103,6 +103,7 @@ private:
   void text(door_client&, std::string_view, time_point now);
   void binary(door_client&, std::string_view, time_point now);
   void fetch_asset(door_client&, const json&);
+  void tell_of_twin(door_client&, std::string says);
   void read_parameters(door_client&, const json&, bool is_description, time_point now);
   bool read_now(const waiting_read&, time_point now);
   void subscribe_parameters(door_client&, const json&, bool is_more);

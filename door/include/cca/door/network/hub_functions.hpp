@@ -104,6 +104,7 @@ inline void hub::text(door_client& c, std::string_view payload, time_point now) 
     tell_rights(c);
   }
   if (op == "cca.token") return show_token(c, text_member(*m, "token"));
+  if (op == "cca.twin") return tell_of_twin(c, text_member(*m, "says"));
   if (!c.may_read())
     return c.say(status_message(
         2, "this door is open to other machines, so reading needs the token, too: " + how_to_show_token));
@@ -141,6 +142,14 @@ inline void hub::text(door_client& c, std::string_view payload, time_point now) 
   }
   if (op == "unsubscribeConnectionGraph") return;  // the graph never changes
   c.say(status_message(2, "this door does not offer " + text_of(op)));
+}
+
+// Everybody reads it in the status, so it needs the token.
+inline void hub::tell_of_twin(door_client& c, std::string says) {
+  if (const std::string why = why_not(c, false); !why.empty())
+    return c.say(status_message(2, "cca.twin: " + why));
+  if (says.size() > limits.twin_text) says.resize(limits.twin_text);
+  c.twin = std::move(says);
 }
 
 inline void hub::fetch_asset(door_client& c, const json& m) {
@@ -253,7 +262,7 @@ inline void hub::regularly(time_point now) {
   if (!channels.is_wanted(status_channel)) status_is_new = false;
   else if (const door_status seen = controls.status(); std::exchange(status_is_new, true))
     channels.show(status_channel, channels.latest,
-                  status_sample(seen, controls.environments(), commander_name(), clients.size()));
+                  status_sample(seen, controls.environments(), commander_name(), clients));
   if (now - watched > std::chrono::milliseconds(500)) {
     watched = now;
     if (std::any_of(clients.begin(), clients.end(),

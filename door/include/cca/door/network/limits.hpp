@@ -19,6 +19,7 @@ struct door_limits {
   double messages_per_second = 1000;    // of a client; twice as many at once
   double bytes_per_second = 1 << 20;    // likewise
   std::size_t depth = 16;               // of JSON
+  std::size_t twin_text = 400;          // bytes of what a client tells of its twin
   int wrong_tokens = 3;                 // of a connection
   std::chrono::milliseconds greeting_time{5000};      // to finish the greeting
   std::chrono::milliseconds page_time{30000};         // to read the page

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <list>
 #include <map>
 #include <set>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include <cca/door/controls.hpp>
+#include <cca/door/network/client.hpp>
 #include <cca/door/network/values_functions.hpp>
 #include <cca/record/file/message_sink.hpp>
 
@@ -121,7 +123,10 @@ inline std::string description_message(const door_description& of,
 inline std::string status_sample(const door_status& now,
                                  const std::vector<door_environment>& environments,
                                  const std::string& commander,
-                                 std::size_t clients) {
+                                 const std::list<door_client>& clients) {
+  json twins = json::array();
+  for (const door_client& one : clients)
+    if (!one.twin.empty()) twins.push_back({{"client", one.name}, {"says", one.twin}});
   json all = json::array();
   for (const auto& e : environments)
     all.push_back({{"name", e.name},
@@ -149,7 +154,8 @@ inline std::string status_sample(const door_status& now,
                   {"causes", now.causes},
                   {"environments", std::move(all)},
                   {"commandedBy", commander.empty() ? json(nullptr) : json(commander)},
-                  {"clients", clients}});
+                  {"clients", clients.size()},
+                  {"twins", std::move(twins)}});
 }
 
 // Schemas of the two channels of the door itself: foxglove's viewers need one to plot.
@@ -178,7 +184,10 @@ inline std::string status_schema() {
          {"causes", {{"type", "array"}, {"items", text}}},
          {"environments", {{"type", "array"}, {"items", {{"type", "object"}, {"properties", environment}}}}},
          {"commandedBy", text},
-         {"clients", whole}}}});
+         {"clients", whole},
+         {"twins",
+          {{"type", "array"},
+           {"items", {{"type", "object"}, {"properties", {{"client", text}, {"says", text}}}}}}}}}});
 }
 inline std::string log_schema() {
   return written(
