@@ -111,6 +111,28 @@ TEST_SUITE("live access to a deployment") {
     });
   }
 
+  TEST_CASE("in a pause each environment takes its share of a request, without a beat") {
+    both_paces([](auto pace) {
+      started_one c;
+      played& d = c;
+      cca::live_access<played> live(d);
+      beside(d, live, pace, [&] {
+        wait_until([&] { return live.beat_index() > 20; });
+        live.pause();
+        wait_until([&] { return live.is_paused(); });
+        const auto at = live.beat_index();
+        for (const char* path : {"thinker.slope", "planner.slope", "robot.slope"})
+          insist(live, [&] { return live.set(path, 4.0); });
+        CHECK_EQ(live.beat_index(), at);
+        CHECK(live.is_paused());
+      });
+      CHECK_EQ(d.get<"thinker">().p.slope, 4.0);
+      CHECK_EQ(d.get<"planner">().p.slope, 4.0);
+      CHECK_EQ(d.get<"robot">().p.slope, 4.0);
+      CHECK(!d.fault());
+    });
+  }
+
   TEST_CASE("the speed of all environments changes") {
     started_one c;
     played& d = c;

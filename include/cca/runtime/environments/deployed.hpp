@@ -273,7 +273,7 @@ private:
         loops, E, here, terms, idle_beats, before, refusals, [this] { idle(); }, after_beat_of_others);
     if constexpr (E > 0) {
       const detail::asked_after_beat asked{after_beat};
-      if (terms.is_exact) first.follow_exactly(terms.end, asked);
+      if (terms.is_exact) first.follow_exactly(terms.end, asked, [&look] { look(E); });
       else first.follow(terms.end, asked);
     } else {
       runs.begin(pace, period());

@@ -138,7 +138,7 @@ private:
     const auto goes_on = [&] { return after_beat(E), true; };
     asked_after_beat asked;
     if (after_beat) asked.ask = goes_on;
-    if (terms.is_exact) loop.follow_exactly(terms.end, asked);
+    if (terms.is_exact) loop.follow_exactly(terms.end, asked, asked);
     else loop.follow(terms.end, asked);
   }
 

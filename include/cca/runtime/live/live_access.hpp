@@ -175,7 +175,7 @@ public:
     this->template look_after<Environment>(d);
   }
   bool goes_on(deployed<D>& d) { return this->look(d); }
-  // The first environment's; the others take their share of a request after their next beat.
+  // The first environment's; the others look by themselves while they wait for its next beat.
   bool while_paused(deployed<D>& d) {
     this->template look_after<0>(d);
     return this->look(d);

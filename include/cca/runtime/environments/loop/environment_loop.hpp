@@ -91,7 +91,7 @@ public:
   template <class Pace, class AfterBeat, class Obey>
   void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat, Obey obey) {
     std::int64_t first = k;
-    while (k < end && this->wait_until_it_may_begin()) {
+    while (k < end && this->wait_until_it_may_begin([]() noexcept {})) {
       runs.wait(pace, (k - first) * period, state.observers());
       if (state.ahead == 0) announce();
       run_beat();
@@ -104,9 +104,10 @@ public:
     }
   }
 
-  template <class AfterBeat>
-  void follow_exactly(std::int64_t end, AfterBeat after_beat) {
-    while (!is_asleep_until(end) && this->wait_until_it_may_begin()) {
+  // `meanwhile`: between two beats, too, while it waits for others.
+  template <class AfterBeat, class Meanwhile>
+  void follow_exactly(std::int64_t end, AfterBeat after_beat, Meanwhile meanwhile) {
+    while (!is_asleep_until(end) && this->wait_until_it_may_begin(meanwhile)) {
       run_beat();
       if (state.ahead == 0 && !after_beat()) stop();
       announce();
