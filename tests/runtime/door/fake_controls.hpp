@@ -37,6 +37,28 @@ public:
              {"gait.gains", value{.what = value::kind::numbers, .numbers = {1, 2, 3}}, "", 0.0, 10.0}};
   }
 
+  // Before the door is made: an input that may be tested.
+  void offer_test() {
+    text.nodes.emplace_back("test_servo_reference");
+    text.tests = {{"servo.reference", "test_servo_reference", "rad", {"0"}, 0.5}};
+    const std::string node = "test_servo_reference.";
+    const auto whole = value{.what = value::kind::integer};
+    const std::vector<cca::detail::door_parameter> more{
+        {node + "signal",
+         value{.what = value::kind::text, .text = "off"},
+         "",
+         {},
+         {},
+         {"off", "step", "sine", "chirp", "linear_chirp"}},
+        {node + "axis", whole, "", 0.0, 0.0},
+        {node + "amplitude", value{.number = 0}, "rad", -0.5, 0.5},
+        {node + "frequency", value{.number = 1}, "Hz", 1e-3, 1e5},
+        {node + "to", value{.number = 10}, "Hz", 1e-3, 1e5},
+        {node + "duration", value{.number = 10}, "s", 1e-3, 600.0},
+        {node + "run", whole, "", 0.0, 1e9}};
+    known.insert(known.end(), more.begin(), more.end());
+  }
+
   const cca::detail::door_description& description() const override { return text; }
   cca::detail::door_status status() const override {
     if (throws) throw std::runtime_error("the fake throws");

@@ -65,6 +65,8 @@ TEST_CASE("What is no greeting of this protocol is refused with the reason") {
   const std::string host = "Host: 127.0.0.1:" + std::to_string(port) + "\r\n";
   CHECK(answer_to_text(port, "hello\r\n\r\n") == "HTTP/1.1 400 Bad Request");
   CHECK(answer_to_text(port, "GET / HTTP/1.0\r\n" + host + "\r\n") == "HTTP/1.1 400 Bad Request");
+  CHECK(answer_to(port, {.more = "\r\nTransfer-Encoding: chunked"}) == "HTTP/1.1 400 Bad Request");
+  CHECK(answer_to(port, {.more = "\r\nContent-Length: 1000000000"}) == "HTTP/1.1 400 Bad Request");
   CHECK(answer_to_text(port, "GET / HTTP/1.1\r\n\r\n") == "HTTP/1.1 400 Bad Request");
   CHECK(answer_to_text(
             port, "GET / HTTP/1.1\r\n" + host +
@@ -97,6 +99,7 @@ TEST_CASE("A page of elsewhere is no Origin, unless the program names it") {
         "http://127.0.0.1:1", "file://"})
     CHECK(answer_to(one.port(), {.origin = origin}) == forbidden);
   CHECK(answer_to(one.port(), {.origin = "null"}) == let_in);
+  CHECK(answer_to(one.port(), {.more = "\r\nOrigin: "}) == forbidden);
   opened other;
   CHECK(answer_to(other.port(), {.origin = "null"}) == forbidden);
   CHECK(answer_to(other.port(), {.origin = "https://lab.example"}) == forbidden);

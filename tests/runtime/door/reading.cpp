@@ -297,6 +297,36 @@ TEST_CASE("The log tells who has changed what, to who comes later too") {
   CHECK(notes[1].ends_with("set gait.frequency from 1.5 to 2.5 Hz"));
 }
 
+TEST_CASE("Refusals don't drive changes out of the log, nor the other way round") {
+  opened one;
+  client c(one.port(), token), stranger(one.port());
+  CHECK(c.call("/cca/take_command").empty());
+  for (int i = 0; i < 100; ++i) stranger.set("gait.frequency", i);
+  stranger.text({{"op", "nonsense"}});
+  CHECK(stranger.is_told("nonsense"));
+  const auto lines = [&] {
+    client later(one.port());
+    later.subscribe(1, 60002);
+    later.text({{"op", "nonsense"}});
+    CHECK(later.is_told("nonsense"));
+    later.waits([&] { return !later.samples.empty() && later.samples.back().data.empty(); }, 50ms);
+    std::vector<std::string> all;
+    for (const auto& sample : later.samples) all.push_back(json::parse(sample.data)["what"]);
+    return all;
+  };
+  const auto first = lines();
+  REQUIRE(first.size() == 17);
+  CHECK(first[0] == "takes the command");
+  CHECK(first[16].starts_with("refused: set: this needs the token"));
+  for (int i = 0; i < 60; ++i) c.set("gait.frequency", 1 + i / 60.0, "a");
+  CHECK(c.waits([&] { return c.texts.size() > 60; }));
+  const auto second = lines();
+  CHECK(second.size() == 64);
+  CHECK(second[0].starts_with("refused: set: "));
+  CHECK(second[15].starts_with("refused: set: "));
+  CHECK(second[16].starts_with("set gait.frequency from "));
+}
+
 TEST_CASE("Parameters are read, all or by name") {
   opened one;
   client c(one.port());
@@ -330,6 +360,40 @@ TEST_CASE("Parameters are told where they change, by a client or by the program"
   CHECK(c.is_told("nonsense"));
   one.controls.change("gait.steps", {.what = fake_controls::value::kind::integer, .integer = 6});
   CHECK(c.next("parameterValues", 1200ms).is_null());
+}
+
+TEST_CASE("The name of a parameter that is subscribed to has an end") {
+  opened one;
+  client c(one.port());
+  c.text({{"op", "subscribeParameterUpdates"}, {"parameterNames", {std::string(256, 'x')}}});
+  CHECK_FALSE(c.is_told("a name has at most", 100ms));
+  c.text({{"op", "subscribeParameterUpdates"}, {"parameterNames", {std::string(257, 'x')}}});
+  CHECK(c.is_told("subscribeParameterUpdates: a name has at most 256 bytes"));
+}
+
+TEST_CASE("A message of many wrong items has a few answers") {
+  opened one;
+  client c(one.port());
+  json ids = json::array(), names = json::array(), pairs = json::array();
+  for (int i = 0; i < 1000; ++i) {
+    ids.push_back(i), names.push_back("x" + std::to_string(i));
+    pairs.push_back({{"id", i}, {"channelId", 40000}});
+  }
+  const auto statuses = [&](const json& message) {
+    c.texts.clear();
+    c.text(message);
+    c.text({{"op", "nonsense"}});
+    const auto is_last = [](const json& one) {
+      return one["op"] == "status" && one["message"].get<std::string>().ends_with("\"nonsense\"");
+    };
+    CHECK(c.waits([&] { return std::any_of(c.texts.begin(), c.texts.end(), is_last); }));
+    return std::count_if(c.texts.begin(), c.texts.end(),
+                         [](const json& one) { return one["op"] == "status"; }) -
+           1;
+  };
+  CHECK(statuses({{"op", "subscribe"}, {"subscriptions", pairs}}) == 8);
+  CHECK(statuses({{"op", "unsubscribe"}, {"subscriptionIds", ids}}) == 8);
+  CHECK(statuses({{"op", "getParameters"}, {"parameterNames", names}}) == 8);
 }
 
 TEST_CASE("Parameters that can't be read are refused after a while") {

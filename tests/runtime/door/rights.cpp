@@ -223,6 +223,61 @@ TEST_CASE("A commander that is silent is lost, and one that answers pings is not
   CHECK(alive.call("/cca/pause").empty());
 }
 
+TEST_CASE("A commander that reads nothing more is lost, though a write to it is under way") {
+  opened one({.on_lost = cca::when_lost::stop}, {.silence = 20000ms, .commander_silence = 1500ms});
+  one.channel(1, "/a");
+  client stuck(one.port(), token, {}, 4096),
+      other(one.port(), token, {.protocols = "foxglove.sdk.v1, cca.v1"});
+  CHECK(stuck.waits([&] { return stuck.channel("/a") == 1; }));
+  CHECK(stuck.call("/cca/take_command").empty());
+  CHECK(stuck.call("/cca/command/push", {{"force", 1}}).empty());
+  stuck.subscribe(1, 1);
+  stuck.set("gait.frequency", 2.0, "a");
+  CHECK(stuck.next("parameterValues")["id"] == "a");
+  const auto begin = std::chrono::steady_clock::now();
+  std::uint64_t sent = 0;
+  CHECK(soon(
+      [&] { return one.message(1, ++sent, std::string(10000, 'x')), one.controls.was_asked(about::end_run); },
+      4000ms));
+  CHECK(std::chrono::steady_clock::now() - begin > 1500ms);
+  CHECK(one.controls.was_asked(about::release, "push"));
+  CHECK(other.call("/cca/take_command").empty());
+  CHECK(stuck.wire.closes());
+}
+
+TEST_CASE("A test that a change of parameters has begun ends with the right to command") {
+  fake_controls controls;
+  controls.offer_test();
+  const cca::detail::door_server door(quiet(), controls);
+  const auto signal = [&] {
+    const auto all = controls.parameters();
+    for (const auto& one : all.value())
+      if (one.path == "test_servo_reference.signal") return one.value.text;
+    return std::string();
+  };
+  client c(door.port(), token);
+  CHECK(c.call("/cca/take_command").empty());
+  c.set("gait.frequency", 2.0);
+  c.set("test_servo_reference.signal", "step");
+  CHECK(soon([&] { return signal() == "step"; }));
+  CHECK(c.call("/cca/give_command").empty());
+  CHECK(soon([&] { return signal() == "off"; }));
+  CHECK(c.call("/cca/take_command").empty());
+  c.set("test_servo_reference.signal", "sine");
+  CHECK(soon([&] { return signal() == "sine"; }));
+  c.wire.reset();
+  CHECK(soon([&] { return signal() == "off"; }));
+  client later(door.port(), token);
+  CHECK(later.call("/cca/take_command").empty());
+  later.set("test_servo_reference.signal", "sine");
+  CHECK(soon([&] { return signal() == "sine"; }));
+  later.set("test_servo_reference.signal", "off");
+  CHECK(soon([&] { return signal() == "off"; }));
+  const auto asked = controls.asked().size();
+  CHECK(later.call("/cca/give_command").empty());
+  CHECK(controls.asked().size() == asked);  // nothing is left to end
+}
+
 TEST_CASE("What nobody has begun is not done after its client is lost") {
   opened one;
   one.controls.answers(how::busy);

@@ -124,7 +124,7 @@ TEST_CASE("A door has the last values of what components computed") {
 TEST_CASE("The program of a twin comes in pieces; without it the answer says how to give it") {
   const laws::temporary_file file("twin.wasm");
   std::string code = "\0asm";
-  for (int i = 0; i < 600'000; ++i) code += static_cast<char>(i * i >> 7);
+  for (unsigned i = 0; i < 600'000; ++i) code += static_cast<char>(i * i >> 7);
   std::ofstream(file.path, std::ios::binary) << code;
   opened one({.twin = file.path});
   client c(one.port());

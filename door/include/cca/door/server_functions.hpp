@@ -12,6 +12,7 @@
 #include <boost/asio/write.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -45,28 +46,13 @@ struct door_server::inside {
         page(door_network::file_of(given.page, "page")),
         twins(given.kept_for_twins(), door_network::file_of(given.twin, "twin")) {
     for (const std::string& one : given.origins) door_network::check_origin(one);
-    error wrong;
-    const auto address = boost::asio::ip::make_address(settings.address, wrong);
-    if (wrong)
-      throw refused("a door can't listen at " + settings.address +
-                    ": it is no address; 127.0.0.1 is this machine only");
-    is_for_others = !address.is_loopback();
-    const tcp::endpoint end(address, settings.port);
-    const auto check = [&] {
-      if (wrong)
-        throw refused("a door can't listen at " + door_network::text_of(end) + ": " + wrong.message() +
-                      ". Is another program there? Port 0 takes any that is free");
-    };
-    acceptor.open(end.protocol(), wrong), check();
-    door_network::keep_from_children(acceptor.native_handle());
-    acceptor.set_option(boost::asio::socket_base::reuse_address(true), wrong), check();
-    acceptor.bind(end, wrong), check();
-    acceptor.listen(1024, wrong), check();
-    acceptor.non_blocking(true, wrong), check();
+    door_network::listen(acceptor, settings);
+    is_for_others = !acceptor.local_endpoint().address().is_loopback();
     port = acceptor.local_endpoint().port();
     thread = std::thread([this] { run(); });
   }
   ~inside() {
+    boost::asio::post(io, [this] { hub->tick(now()); });  // whose request the last beat has taken is told so
     boost::asio::post(io, [this] { end_all(); });
     thread.join();
   }
@@ -122,8 +108,10 @@ struct door_server::inside {
         });
       }
       accept();  // first: whatever happens below, the next one is let in
-      // More than that are closed at once: they cost nothing.
-      if (all.size() - greeted < limits.half_open) begin(std::move(socket));
+      // The oldest goes: so many that never finish keep nobody out who does.
+      if (all.size() - greeted >= limits.half_open)
+        end(shared(*std::find_if(all.begin(), all.end(), [](const shared& c) { return !c->client; })));
+      begin(std::move(socket));
     });
   }
 
@@ -161,7 +149,7 @@ struct door_server::inside {
     if (hello.what == is::more) return;
     c->sending = hello.answer;
     if (hello.what == is::connection &&
-        greeted >= static_cast<std::size_t>(std::max(settings.most_clients, 0)))
+        greeted >= static_cast<std::size_t>(std::max(settings.most_clients, 0)) && !hub->makes_room(hello))
       c->sending = door_network::refused_greeting(
                        503, "this door has " + std::to_string(greeted) + " clients, and takes no more")
                        .answer;
@@ -169,7 +157,7 @@ struct door_server::inside {
     c->ends_after_write = true;
     if (hello.what == is::page) {
       c->deadline = now() + limits.page_time;
-      if (!hello.head_only) c->sending += page;
+      if (!hello.head_only) c->sending_then = page;
     }
     write(c);
   }
@@ -177,6 +165,7 @@ struct door_server::inside {
     error ignored;
     ignored = c->socket.set_option(boost::asio::socket_base::send_buffer_size(1 << 18), ignored);
     ++greeted;
+    c->has_deadline = false;
     c->client = &hub->enter(door_network::text_of(there), hello, now());
     const std::string rest = c->greeting.substr(hello.used);
     c->greeting = {};
@@ -186,6 +175,7 @@ struct door_server::inside {
 
   void hear(const shared& c, std::string_view bytes) {
     using frame = door_network::frame_kind;
+    if (!hub->hears(*c->client, bytes.size(), now())) return;
     const auto wrong = c->frames.read(bytes, [&](frame what, std::string_view payload) {
       if (what == frame::close) return c->client->close(door_network::normal, "goodbye"), true;
       hub->message(*c->client, what, payload, now());
@@ -202,10 +192,13 @@ struct door_server::inside {
   void send_all() {
     for (auto one = all.begin(); one != all.end();) {
       const shared c = *one++;
-      if (!c->client || c->is_writing) continue;
-      if (c->client->closing != door_network::no_fault && !c->ends_after_write) {
-        c->ends_after_write = true;
+      if (!c->client) continue;
+      const bool closes = c->client->closing != door_network::no_fault;
+      if (closes && !std::exchange(c->has_deadline, true))  // also if it does not read what is under way
         c->deadline = now() + std::chrono::seconds(1);
+      if (c->is_writing) continue;
+      if (closes && !c->ends_after_write) {
+        c->ends_after_write = true;
         c->client->out.take_answers(c->sending);
         std::string last{static_cast<char>(c->client->closing >> 8),
                          static_cast<char>(c->client->closing & 255)};
@@ -219,7 +212,9 @@ struct door_server::inside {
   }
   void write(const shared& c) {
     c->is_writing = true;
-    boost::asio::async_write(c->socket, boost::asio::buffer(c->sending), [this, c](error wrong, std::size_t) {
+    const std::array<boost::asio::const_buffer, 2> bytes{boost::asio::buffer(c->sending),
+                                                         boost::asio::buffer(c->sending_then)};
+    boost::asio::async_write(c->socket, bytes, [this, c](error wrong, std::size_t) {
       c->is_writing = false;
       if (!c->is_open) return;
       if (wrong) return end(c);
@@ -278,7 +273,7 @@ struct door_server::inside {
         hub->regularly(moment);
         for (auto one = all.begin(); one != all.end();) {
           const shared c = *one++;
-          if ((!c->client || c->ends_after_write) && moment > c->deadline) end(c);
+          if (c->has_deadline && moment > c->deadline) end(c);
         }
       }
       send_all();

@@ -169,9 +169,15 @@ inline void hub::end(
   log(task.name,
       (done ? "" : "refused: ") + what + (done ? "" : ": " + outcome.why) + (is_late ? " (late)" : ""), done);
   if (after) tell_changed(*after);
+  if (done && after && before && !task.is_test) {
+    note_driven(*before, *after);
+    if (!(commander && commander->id == task.client))
+      cut_test(task.since);  // it has lost the right meanwhile
+  }
   if (task.answer && !is_late) task.answer(outcome);
   // Its client was told that it is refused, so nobody ends it.
-  if (done && is_late && task.is_test && task.client != 0) switch_test_off(task.since);
+  if (done && is_late && task.is_test && task.client != 0)
+    switch_test_off(tested.node(), "of " + tested.input(), task.since);
   const bool is_call = task.request.about == door_request::what::call;
   if (done && task.is_held && is_call) {
     // It may have lost the right meanwhile: then the effect ends at once.

@@ -77,9 +77,12 @@ public:
       send(*client, subscription, channel, time, data);
   }
   // The last lines of the log are kept, too: a client sees who has changed what before it came.
-  void log(const std::string& line) {
-    if (lines.size() == 64) lines.pop_front();
-    lines.emplace_back(latest, line);
+  // Refusals have places of their own: so nobody fills the log with them until no change is left in it.
+  void log(const std::string& line, bool is_change) {
+    const auto is_alike = [&](const log_line& one) { return one.is_change == is_change; };
+    if (std::count_if(lines.begin(), lines.end(), is_alike) == (is_change ? 48 : 16))
+      lines.erase(std::find_if(lines.begin(), lines.end(), is_alike));
+    lines.push_back({latest, line, is_change});
     show(log_channel, latest, line);
   }
 
@@ -123,7 +126,7 @@ public:
     wanted.set(one.info.id, true);
     if (one.has_last) send(c, subscription, one.info.id, one.last_time, one.last);
     if (one.info.id == log_channel)
-      for (const auto& [time, line] : lines) send(c, subscription, log_channel, time, line);
+      for (const log_line& one : lines) send(c, subscription, log_channel, one.time, one.text);
     return {};
   }
   bool unsubscribe(door_client& c, std::uint32_t subscription) {
@@ -156,10 +159,15 @@ private:
     int listeners = 0;
     bool is_wanted() const { return info.is_kept || listeners > 0 || !subscribers.empty(); }
   };
+  struct log_line {
+    std::uint64_t time;
+    std::string text;
+    bool is_change;
+  };
   wanted_channels& wanted;
   std::unordered_map<std::uint16_t, shown> all{};
   std::vector<std::uint16_t> order{};
-  std::deque<std::pair<std::uint64_t, std::string>> lines{};
+  std::deque<log_line> lines{};
 
   static bool is_same(const recording::channel_info& a, const recording::channel_info& b) {
     return a.topic == b.topic && a.type == b.type && a.schema == b.schema && a.metadata == b.metadata &&

@@ -12,10 +12,12 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include <cca/base/refused.hpp>
 #include <cca/door/network/client.hpp>
 #include <cca/door/network/frames_functions.hpp>
+#include <cca/door/settings.hpp>
 
 namespace cca::detail::door_network {
 
@@ -42,6 +44,26 @@ inline std::string text_of(const tcp::endpoint& end) {
   return (end.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(end.port());
 }
 
+inline void listen(tcp::acceptor& acceptor, const door_settings& settings) {
+  error wrong;
+  const auto address = asio::ip::make_address(settings.address, wrong);
+  if (wrong)
+    throw refused("a door can't listen at " + settings.address +
+                  ": it is no address; 127.0.0.1 is this machine only");
+  const tcp::endpoint end(address, settings.port);
+  const auto check = [&] {
+    if (wrong)
+      throw refused("a door can't listen at " + text_of(end) + ": " + wrong.message() +
+                    ". Is another program there? Port 0 takes any that is free");
+  };
+  acceptor.open(end.protocol(), wrong), check();
+  keep_from_children(acceptor.native_handle());
+  acceptor.set_option(asio::socket_base::reuse_address(true), wrong), check();
+  acceptor.bind(end, wrong), check();
+  acceptor.listen(1024, wrong), check();
+  acceptor.non_blocking(true, wrong), check();
+}
+
 // A socket, from its greeting to its end. It lives while a read or a write of it is under way.
 struct connection {
   explicit connection(tcp::socket s, std::size_t most, time_point until)
@@ -50,9 +72,11 @@ struct connection {
   door_network::frame_reader frames;
   door_network::door_client* client = nullptr;
   std::string greeting{}, sending{};
+  std::string_view sending_then{};  // the page: one copy for all
   std::array<char, 16384> piece;
   time_point deadline;
   bool is_writing = false, ends_after_write = false, is_open = true;
+  bool has_deadline = true;  // of its greeting, or of its end
 };
 
 }  // namespace cca::detail::door_network

@@ -164,13 +164,14 @@ inline greeting read_greeting(std::string_view bytes,
     const auto value = request[name];
     return std::string(value.data(), value.size());
   };
-  if (request.count(field::host) != 1 || request.count(field::origin) > 1 || request.version() != 11)
+  if (request.count(field::host) != 1 || request.count(field::origin) > 1 || request.version() != 11 ||
+      request.chunked())
     return refused_greeting(400, "a request of HTTP 1.1 with one Host, please");
   const std::string host = lower(text(field::host)), origin = lower(text(field::origin));
   if (!is_own_host(host, at, settings))
     return refused_greeting(403, "Host is none of this door: use 127.0.0.1:" + std::to_string(at.port) +
                                      " or localhost:" + std::to_string(at.port) + "; a proxy must set it");
-  if (!origin.empty() && !is_own_origin(origin, host, at, settings))
+  if (request.count(field::origin) > 0 && !is_own_origin(origin, host, at, settings))
     return refused_greeting(
         403,
         "Origin may not connect: name the page of another address by --door-origin, or in "

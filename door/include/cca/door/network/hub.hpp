@@ -43,6 +43,10 @@ public:
   // A client whose greeting was right. It is valid until `leave`.
   door_client& enter(const std::string& name, const greeting& hello, time_point now);
   void leave(door_client&, time_point now);
+  // The door is full: a client with the token takes the place of one without. False: there is none.
+  bool makes_room(const greeting& hello);
+  // Bytes have come, of whole messages or of parts. False: they are not to be read.
+  bool hears(door_client&, std::size_t bytes, time_point now);
   void message(door_client&, frame_kind, std::string_view payload, time_point now);
 
   void channel(const recording::channel_info&);
@@ -85,11 +89,13 @@ private:
   shown_channels channels;
   request_queue requests;
   const std::vector<door_service> services;
+  const std::string offered;  // they, as each client is told
   const std::string session;
   std::uint64_t last_id = 0;
   door_client* commander = nullptr;
-  std::set<std::string> held{};  // commands, by the commander
-  input_test tested{};           // the last one
+  std::set<std::string> held{};    // commands, by the commander
+  input_test tested{};             // the last one
+  std::set<std::string> driven{};  // nodes of tests that a change of their parameters has begun, or a file
   std::deque<undo_step> changes{};
   values known{};
   time_point watched{};
@@ -104,6 +110,7 @@ private:
   void binary(door_client&, std::string_view, time_point now);
   void fetch_asset(door_client&, const json&);
   void tell_of_twin(door_client&, std::string says);
+  void refuse_flood(door_client&);
   void read_parameters(door_client&, const json&, bool is_description, time_point now);
   bool read_now(const waiting_read&, time_point now);
   void subscribe_parameters(door_client&, const json&, bool is_more);
@@ -134,7 +141,8 @@ private:
   void begin_test(door_client&, const service_call&, const json&, time_point now);
   void end_test(door_client&, const service_call&, time_point now);
   void cut_test(time_point now);
-  void switch_test_off(time_point now);
+  void switch_test_off(const std::string& node, const std::string& what, time_point now);
+  void note_driven(const values& before, const values& after);
   void tell_response(door_client&, const service_call&);
 };
 

@@ -33,6 +33,7 @@ inline hub::hub(const door_settings& given,
       channels(wanted),
       requests(of, all),
       services(services_of(of.description())),
+      offered(advertised_services(services)),
       session(random_token()) {
   requests.on_end = [this](door_task& task, const door_outcome& outcome, const values* before,
                            const values* after, bool is_late) { end(task, outcome, before, after, is_late); };
@@ -69,9 +70,18 @@ inline void hub::leave(door_client& c, time_point now) {
   tell_rights();
 }
 
+inline bool hub::makes_room(const greeting& hello) {
+  const bool is_right = hello.has_token && is_same_secret(hello.token_offered, token);
+  if (!is_right && (hello.once.empty() || !keys.has(hello.once))) return false;
+  for (door_client& c : clients)
+    if (!c.has_token && c.closing == no_fault)
+      return c.close(unwelcome, "this door is full: a client with the token takes the place"), true;
+  return false;
+}
+
 inline void hub::welcome(door_client& c) {
   c.say(channels.advertised());
-  c.say(advertised_services(services));
+  c.say(offered);
 }
 
 inline door_client* hub::client_of(std::uint64_t id) {
@@ -80,13 +90,19 @@ inline door_client* hub::client_of(std::uint64_t id) {
   return found == clients.end() ? nullptr : &*found;
 }
 
+inline void hub::refuse_flood(door_client& c) {
+  c.close(unwelcome, "this client sends too much: at most " +
+                         std::to_string(static_cast<int>(limits.messages_per_second)) + " messages a second");
+}
+inline bool hub::hears(door_client& c, std::size_t bytes, time_point now) {
+  if (!c.bytes.take(static_cast<double>(bytes), now)) refuse_flood(c);
+  return c.closing == no_fault;
+}
+
 inline void hub::message(door_client& c, frame_kind kind, std::string_view payload, time_point now) {
   c.last_sign = now;
   if (c.closing != no_fault) return;
-  if (!c.messages.take(1, now) || !c.bytes.take(static_cast<double>(payload.size()), now))
-    return c.close(unwelcome, "this client sends too much: at most " +
-                                  std::to_string(static_cast<int>(limits.messages_per_second)) +
-                                  " messages a second");
+  if (!c.messages.take(1, now)) return refuse_flood(c);
   if (kind == frame_kind::text) text(c, payload, now);
   if (kind == frame_kind::binary) binary(c, payload, now);
   if (kind == frame_kind::ping && !c.out.answer(frame_kind::pong, payload))
@@ -113,8 +129,10 @@ inline void hub::text(door_client& c, std::string_view payload, time_point now) 
     if (!all || !all->is_array()) return c.say(status_message(2, op + ": expected a list `" + list + "`"));
     for (const json& one : *all) function(one);
   };
+  // A message of many wrong items has few answers.
+  std::size_t complaints = 0;
   const auto complain = [&](const std::string& what) {
-    if (!what.empty()) c.say(status_message(2, what));
+    if (!what.empty() && ++complaints <= limits.complaints) c.say(status_message(2, what));
   };
   if (op == "subscribe")
     return each("subscriptions", [&](const json& one) {
@@ -186,9 +204,11 @@ inline bool hub::read_now(const waiting_read& one, time_point now) {
   if (one.is_description) return c->say(description_message(controls.description(), *all, notes)), true;
   c->say(parameter_values(
       *all, [&](const std::string& name) { return one.names.empty() || one.names.contains(name); }, &one.id));
+  std::size_t complaints = 0;
   for (const auto& name : one.names)
-    if (std::none_of(all->begin(), all->end(), [&](const auto& p) { return p.path == name; }))
-      c->say(status_message(2, "there is no parameter " + text_of(name)));
+    if (complaints < limits.complaints &&
+        std::none_of(all->begin(), all->end(), [&](const auto& p) { return p.path == name; }))
+      ++complaints, c->say(status_message(2, "there is no parameter " + text_of(name)));
   return true;
 }
 
@@ -202,6 +222,9 @@ inline void hub::subscribe_parameters(door_client& c, const json& m, bool is_mor
   }
   for (const json& one : *names) {
     if (!one.is_string()) continue;
+    if (one.get_ref<const std::string&>().size() > limits.name)
+      return c.say(status_message(
+          2, "subscribeParameterUpdates: a name has at most " + std::to_string(limits.name) + " bytes"));
     if (!is_more) c.parameters.erase(one.get<std::string>());
     else if (c.parameters.size() < limits.subscriptions) c.parameters.insert(one.get<std::string>());
     else

@@ -253,17 +253,32 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
 
 // As a command that is held: it ends with the right to command.
 inline void hub::cut_test(time_point now) {
+  for (const std::string& node : std::exchange(driven, {})) switch_test_off(node, "by " + node, now);
   if (!tested.is_running(channels.latest)) return;
   tested.cut();
-  switch_test_off(now);
+  switch_test_off(tested.node(), "of " + tested.input(), now);
 }
-inline void hub::switch_test_off(time_point now) {
-  door_task task{.name = "door", .what = "ends the test of " + tested.input(), .may_set = true};
+inline void hub::switch_test_off(const std::string& node, const std::string& what, time_point now) {
+  door_task task{.name = "door", .what = "ends the test " + what, .may_set = true};
   task.request.about = door_request::what::set;
-  task.request.values = {
-      {tested.node() + ".signal", door_value{.what = door_value::kind::text, .text = "off"}}};
+  task.request.values = {{node + ".signal", door_value{.what = door_value::kind::text, .text = "off"}}};
   task.is_test = true;
   requests.add_first(std::move(task), now);
+}
+
+// What begins a test without /cca/test: it ends in the same way.
+inline void hub::note_driven(const values& before, const values& after) {
+  for (const auto& one : controls.description().tests) {
+    const door_parameter* signal = parameter_of(after, one.node + ".signal");
+    if (!signal || signal->value.text == "off") {
+      driven.erase(one.node);
+    } else if (std::any_of(after.begin(), after.end(), [&](const door_parameter& now) {
+                 const door_parameter* was = parameter_of(before, now.path);
+                 return now.path.starts_with(one.node + ".") && !(was && was->value == now.value);
+               })) {
+      driven.insert(one.node);
+    }
+  }
 }
 
 inline void hub::end_test(door_client& c, const service_call& one, time_point now) {

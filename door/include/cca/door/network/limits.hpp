@@ -9,8 +9,10 @@ namespace cca::detail {
 struct door_limits {
   std::size_t message = 64 << 10;       // bytes of a message that a client sends
   std::size_t greeting = 8 << 10;       // bytes of the request that opens a connection
-  std::size_t half_open = 64;           // connections whose greeting is not finished
+  std::size_t half_open = 64;           // connections whose greeting is not finished: then the oldest goes
   std::size_t subscriptions = 4096;     // of a client
+  std::size_t name = 256;               // bytes of the name of a parameter that a client subscribes to
+  std::size_t complaints = 8;           // that answer one message
   std::size_t answers = 4 << 20;        // bytes of answers that a client has not read: then it is dropped
   std::size_t waiting_bytes = 1 << 20;  // bytes of samples that a client has not read: the oldest go first
   std::size_t waiting_messages = 8192;  // and their number

@@ -85,7 +85,7 @@ inline std::string hub::why_not(const door_client& c, bool needs_command) const 
 inline void hub::log(const std::string& client, const std::string& what, bool is_change) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-  channels.log(written({{"time", seconds}, {"client", client}, {"what", what}}));
+  channels.log(written({{"time", seconds}, {"client", client}, {"what", what}}), is_change);
   if (is_change) controls.note(client, what);
 }
 

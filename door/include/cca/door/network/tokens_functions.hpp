@@ -97,6 +97,11 @@ public:
     if (valid.size() == 16) valid.erase(valid.begin());
     return valid.emplace_back(random_token());
   }
+  bool has(std::string_view offered) const {
+    const std::scoped_lock lock(guard);
+    return std::any_of(valid.begin(), valid.end(),
+                       [&](const auto& one) { return is_same_secret(offered, one); });
+  }
   bool take(std::string_view offered) {
     const std::scoped_lock lock(guard);
     const auto found = std::find_if(valid.begin(), valid.end(),
@@ -107,7 +112,7 @@ public:
   }
 
 private:
-  std::mutex guard{};
+  mutable std::mutex guard{};
   std::vector<std::string> valid{};
 };
 
