@@ -146,7 +146,7 @@ private:
     if (one.about == about::go_on) state.is_paused = false;
     if (one.about == about::speed) state.speed = one.number;
     if (one.about == about::switch_mode) state.mode = one.text;
-    if (one.about == about::end_run) state.state = "loaded";
+    if (one.about == about::end_run) state.state = "loaded", waiting.reset();  // no beat takes it any more
     if (one.about == about::load)  // a file that says so
       for (auto& p : known)
         if (p.path == "gait.frequency") p.value.number = 0.7;

@@ -126,7 +126,7 @@ public:
     wanted.set(one.info.id, true);
     if (one.has_last) send(c, subscription, one.info.id, one.last_time, one.last);
     if (one.info.id == log_channel)
-      for (const log_line& one : lines) send(c, subscription, log_channel, one.time, one.text);
+      for (const log_line& said : lines) send(c, subscription, log_channel, said.time, said.text);
     return {};
   }
   bool unsubscribe(door_client& c, std::uint32_t subscription) {

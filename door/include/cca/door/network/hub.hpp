@@ -89,7 +89,7 @@ private:
   shown_channels channels;
   request_queue requests;
   const std::vector<door_service> services;
-  const std::string offered;  // they, as each client is told
+  const std::string told_services;  // they, as each client is told
   const std::string session;
   std::uint64_t last_id = 0;
   door_client* commander = nullptr;

@@ -33,7 +33,7 @@ inline hub::hub(const door_settings& given,
       channels(wanted),
       requests(of, all),
       services(services_of(of.description())),
-      offered(advertised_services(services)),
+      told_services(advertised_services(services)),
       session(random_token()) {
   requests.on_end = [this](door_task& task, const door_outcome& outcome, const values* before,
                            const values* after, bool is_late) { end(task, outcome, before, after, is_late); };
@@ -81,7 +81,7 @@ inline bool hub::makes_room(const greeting& hello) {
 
 inline void hub::welcome(door_client& c) {
   c.say(channels.advertised());
-  c.say(offered);
+  c.say(told_services);
 }
 
 inline door_client* hub::client_of(std::uint64_t id) {
