@@ -134,8 +134,9 @@ private:
     else if (recorded[at(layout.origin[at(s.output)])] != never)
       refuse_sample(" is there twice: are two recordings merged in this file?");
     recorded[at(layout.origin[at(s.output)])] = s.origin;
-    std::memcpy(&recorded[at(layout.at[at(s.output)])], s.coordinates.data(),
-                sizeof(double) * s.coordinates.size());
+    if (!s.coordinates.empty())  // of a twin, which has hashes alone
+      std::memcpy(&recorded[at(layout.at[at(s.output)])], s.coordinates.data(),
+                  sizeof(double) * s.coordinates.size());
     hashes[at(s.output)] = s.hash;
     has_samples = true;
   }
