@@ -147,7 +147,7 @@ private:
     if (one.about == about::speed) state.speed = one.number;
     if (one.about == about::switch_mode) state.mode = one.text;
     if (one.about == about::end_run) state.state = "loaded", waiting.reset();  // no beat takes it any more
-    if (one.about == about::load)  // a file that says so
+    if (one.about == about::load)                                              // a file that says so
       for (auto& p : known)
         if (p.path == "gait.frequency") p.value.number = 0.7;
     if (one.about == about::set)
