@@ -345,6 +345,7 @@ private:
           if (other == node + ".duration")
             tested_until = run_time + static_cast<std::uint64_t>(1e9 * of.number);
       }
+      if (one.about == about::end_run) is_pushed = is_tested = false;  // with the run all ends that was held
       if (one.about == about::call && one.text == "push") is_pushed = true;
       if (one.about == about::release && one.text == "push") is_pushed = false;
       const bool is_of_door =
