@@ -106,8 +106,11 @@ private:
   }
   void announce(const std::string& topic) {
     last_channel = last_channel % 4 + 1;
-    door->channel(
-        {.id = static_cast<std::uint16_t>(last_channel), .topic = topic, .type = "a", .is_kept = true});
+    door->channel({.id = static_cast<std::uint16_t>(last_channel),
+                   .topic = topic,
+                   .type = "a",
+                   .schema = "",
+                   .is_kept = true});
   }
 
   // ---- steps ----
