@@ -3,18 +3,19 @@
 #include <cca/cca.hpp>
 
 #include "../trot/stride_oscillator.hpp"
-#include "../trot/throttle.hpp"
 #include "attitude.hpp"
 #include "clock.hpp"
 #include "helm.hpp"
+#include "odometer.hpp"
 #include "policy.hpp"
+#include "throttle.hpp"
 
 namespace walking {
 
 // [architecture]
 // The policy at 100 Hz, between a clock and a robot at 1 kHz.
 template <class Policy>
-struct gait_of : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
+struct gait_of : cca::graph<cca::node<"throttle", throttle, cca::timed<period>>,
                             cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
                             cca::node<"clock", clock, cca::timed<period>>,
                             cca::node<"helm", helm, cca::timed<1>>,
@@ -31,6 +32,7 @@ struct gait_of : cca::graph<cca::node<"throttle", trot::throttle, cca::timed<per
                             cca::wire<"attitude.course", "policy.course">,
                             cca::wire<"policy.output", "smooth.input", cca::latest, before_the_first>,
 
+                            cca::expose<"throttle.speed", "speed">,
                             cca::expose<"helm.orientation", "orientation">,
                             cca::expose<"policy.rates", "rates">,
                             cca::expose<"policy.angles", "angles">,
@@ -46,12 +48,18 @@ struct learned_gait : gait_of<policy> {};
 template <class Robot>
 struct architecture : cca::graph<cca::rate<1000>,
                                  cca::node<"gait", learned_gait>,
+                                 cca::node<"odometer", odometer>,
                                  cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
                                  cca::node<"robot", Robot>,
 
                                  cca::wire<"robot.orientation", "gait.orientation", cca::latest>,
                                  cca::wire<"robot.angular_velocity", "gait.rates", cca::latest>,
                                  cca::wire<"robot.angles", "gait.angles", cca::latest>,
+                                 cca::wire<"robot.angles", "odometer.angles", cca::latest>,
+                                 cca::wire<"robot.velocities", "odometer.velocities", cca::latest>,
+                                 cca::wire<"robot.angular_velocity", "odometer.rates", cca::latest>,
+                                 cca::wire<"robot.foot_loads", "odometer.loads", cca::latest>,
+                                 cca::wire<"odometer.speed", "gait.speed", cca::latest>,
                                  cca::wire<"gait.command", "limits.command">,
                                  cca::wire<"robot.angles", "limits.measured">,
                                  cca::wire<"limits.safe", "robot.command">> {};

@@ -13,6 +13,7 @@ struct sine : cca::dimension<"sine"> {};
 struct amplitude : cca::dimension<"amplitude"> {};
 struct aside : cca::dimension<"aside"> {};
 struct slope : cca::dimension<"slope"> {};
+struct forward : cca::dimension<"forward"> {};
 
 // The policy observes and commands at this rate.
 using slow = cca::rate<100>;
@@ -25,6 +26,8 @@ struct downwards
     : cca::space<cca::cartesian_position<oncilla::trunk_frame>, cca::axes<cca::x, cca::y, cca::z>, slow> {};
 // Yaw, rad; its integral, rad s; the mean pitch, rad.
 struct course : cca::space<cca::number, cca::axes<trot::yaw, aside, slope>, slow> {};
+// m/s, of the trunk towards its nose.
+struct trunk_speed : cca::space<cca::number, cca::axes<forward>, oncilla::robot_rate> {};
 struct commanded_angles : cca::space<cca::joint_angles, oncilla::leg_axes, slow> {};
 
 }  // namespace walking
