@@ -15,7 +15,8 @@
 
 namespace {
 
-struct walk_on_drives : walking::architecture<hil::oncilla<hil::memory_end>> {};
+struct trained_gait : walking::gait_of<walking::policy, trot::stride_oscillator> {};  // as in task.hpp
+struct walk_on_drives : walking::architecture<hil::oncilla<hil::memory_end>, trained_gait> {};
 
 struct program : cca::robot_program<walk_on_drives> {
   program() {

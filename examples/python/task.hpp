@@ -61,9 +61,13 @@ private:
 // [judge end]
 
 // [graph]
+// The strides of the trot; no odometer, so the throttle is a straight line.
+template <class Policy>
+using gait_of = walking::gait_of<Policy, trot::stride_oscillator>;
+
 template <class Robot>
 struct around_policy : cca::graph<cca::rate<1000>,
-                                  cca::node<"gait", walking::gait_of<cca::python::stand_in<walking::policy>>>,
+                                  cca::node<"gait", gait_of<cca::python::stand_in<walking::policy>>>,
                                   cca::node<"limits", cca::limiter<walking::oncilla::leg_angles>>,
                                   cca::node<"robot", Robot>,
                                   cca::node<"truth", truth>,

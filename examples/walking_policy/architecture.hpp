@@ -2,21 +2,22 @@
 // The learned gait as an architecture, for any robot with the Oncilla's ports.
 #include <cca/cca.hpp>
 
-#include "../trot/stride_oscillator.hpp"
 #include "attitude.hpp"
 #include "clock.hpp"
 #include "helm.hpp"
 #include "odometer.hpp"
 #include "policy.hpp"
+#include "sidestep.hpp"
+#include "symmetric.hpp"
 #include "throttle.hpp"
 
 namespace walking {
 
 // [architecture]
 // The policy at 100 Hz, between a clock and a robot at 1 kHz.
-template <class Policy>
+template <class Policy, class Oscillator = oscillator>
 struct gait_of : cca::graph<cca::node<"throttle", throttle, cca::timed<period>>,
-                            cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
+                            cca::node<"cpg", Oscillator, cca::timed<1>>,
                             cca::node<"clock", clock, cca::timed<period>>,
                             cca::node<"helm", helm, cca::timed<1>>,
                             cca::node<"attitude", attitude, cca::timed<period>>,
@@ -40,16 +41,19 @@ struct gait_of : cca::graph<cca::node<"throttle", throttle, cca::timed<period>>,
                             cca::expose<"cpg.phase", "phase">,
                             cca::expose<"cpg.amplitude", "amplitude">,
                             cca::expose<"helm.relative", "relative">,
+                            cca::expose<"helm.turn", "turn">,
                             cca::expose<"clock.clock", "clock">,
                             cca::expose<"attitude.down", "down">,
                             cca::expose<"attitude.course", "course">> {};
-struct learned_gait : gait_of<policy> {};
+struct learned_gait : gait_of<symmetric_policy> {};
 
-template <class Robot>
+template <class Robot, class Gait = learned_gait>
 struct architecture : cca::graph<cca::rate<1000>,
-                                 cca::node<"gait", learned_gait>,
+                                 cca::node<"gait", Gait>,
                                  cca::node<"odometer", odometer>,
+                                 cca::node<"sidestep", sidestep>,
                                  cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
+                                 cca::node<"abduction_limits", cca::limiter<oncilla::abduction_angles>>,
                                  cca::node<"robot", Robot>,
 
                                  cca::wire<"robot.orientation", "gait.orientation", cca::latest>,
@@ -60,9 +64,15 @@ struct architecture : cca::graph<cca::rate<1000>,
                                  cca::wire<"robot.angular_velocity", "odometer.rates", cca::latest>,
                                  cca::wire<"robot.foot_loads", "odometer.loads", cca::latest>,
                                  cca::wire<"odometer.speed", "gait.speed", cca::latest>,
+                                 cca::wire<"gait.phase", "sidestep.phase">,
+                                 cca::wire<"gait.amplitude", "sidestep.amplitude">,
+                                 cca::wire<"gait.turn", "sidestep.turn">,
                                  cca::wire<"gait.command", "limits.command">,
                                  cca::wire<"robot.angles", "limits.measured">,
-                                 cca::wire<"limits.safe", "robot.command">> {};
+                                 cca::wire<"limits.safe", "robot.command">,
+                                 cca::wire<"sidestep.abduction", "abduction_limits.command">,
+                                 cca::wire<"robot.abducted", "abduction_limits.measured">,
+                                 cca::wire<"abduction_limits.safe", "robot.abduction">> {};
 // [architecture end]
 
 }  // namespace walking

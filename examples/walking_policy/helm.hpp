@@ -4,8 +4,11 @@
 //
 //   in  "orientation"   trunk_orientation
 //   out "relative"      the same, without the commanded heading
+//   out "turn"          turn_rate, that of the heading; 0 before `start`
 //
 // An orientation that is not finite passes.
+#include <tuple>
+
 #include <cca/cca.hpp>
 
 #include "spaces.hpp"
@@ -21,13 +24,15 @@ struct helm {
   parameters p{0, 0.2};
 
   auto process(cca::in<"orientation", oncilla::trunk_orientation> trunk, cca::beat now)
-      -> cca::out<"relative", oncilla::trunk_orientation> {
+      -> std::tuple<cca::out<"relative", oncilla::trunk_orientation>, cca::out<"turn", turn_rate>> {
     const double time = static_cast<double>(now.time()) * 1e-9;
-    if (time >= p.start) heading_ = cca::wrap_signed(heading_ + now.dt() * p.turn);
+    const double turn = time >= p.start ? static_cast<double>(p.turn) : 0.0;
+    heading_ = cca::wrap_signed(heading_ + now.dt() * turn);
     const double c = cca::math::cos(0.5 * heading_), s = cca::math::sin(0.5 * heading_);
     const auto& q = trunk.vector();  // x, y, z, w; a turn about the vertical by -heading, then q
-    return Eigen::Vector4d(c * q[0] + s * q[1], c * q[1] - s * q[0], c * q[2] - s * q[3],
-                           c * q[3] + s * q[2]);
+    return {
+        Eigen::Vector4d(c * q[0] + s * q[1], c * q[1] - s * q[0], c * q[2] - s * q[3], c * q[3] + s * q[2]),
+        turn};
   }
 
 private:

@@ -32,11 +32,12 @@ struct odometer {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (cca::quantity<cca::duration, 0.01, 60>, average),
-                             (cca::bounded<double, 0, 1>, front),        // how much a front foot counts
-                             (cca::quantity<cca::force, 0.1, 1e4>, lightest),  // N, of all feet, on the ground
-                             (cca::bounded<double, 0.1, 10>, scale));    // of the output
+                             (cca::bounded<double, 0, 1>, front),  // how much a front foot counts
+                             (cca::quantity<cca::force, 0.1, 1e4>,
+                              lightest),                               // N, of all feet, on the ground
+                             (cca::bounded<double, 0.1, 10>, scale));  // of the output
   };
-  parameters p{0.25, 0.1, 4, 1.145};
+  parameters p{0.25, 0.1, 4, 1.2};
 
   auto process(cca::in<"angles", oncilla::leg_angles> angles,
                cca::in<"velocities", oncilla::leg_velocities> velocities,
@@ -70,8 +71,7 @@ private:
     // How far the ends of the segments are below their beginnings; the ball is carried by the outer ones.
     const double outer = (body.upper_length + body.foot_lever()) * cca::math::cos(hip) + body.foot_radius,
                  inner = body.middle_length * cca::math::cos(middle);
-    return -(outer * hip_rate + inner * middle_rate) +
-           rates[1] * (body.trunk_above_hips + outer + inner) +
+    return -(outer * hip_rate + inner * middle_rate) + rates[1] * (body.trunk_above_hips + outer + inner) +
            rates[2] * oncilla::side_of(leg) * body.hip_y;
   }
 

@@ -28,6 +28,8 @@ struct downwards
 struct course : cca::space<cca::number, cca::axes<trot::yaw, aside, slope>, slow> {};
 // m/s, of the trunk towards its nose.
 struct trunk_speed : cca::space<cca::number, cca::axes<forward>, oncilla::robot_rate> {};
+// rad/s, to the left.
+struct turn_rate : cca::space<cca::number, cca::axes<trot::yaw>, oncilla::robot_rate> {};
 struct commanded_angles : cca::space<cca::joint_angles, oncilla::leg_axes, slow> {};
 
 }  // namespace walking

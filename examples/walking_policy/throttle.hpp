@@ -26,7 +26,7 @@ struct throttle {
                              (cca::quantity<cca::duration, 0, 3600>, start),  // s to stand first
                              (double, intercept),
                              (double, slope),
-                             (cca::bounded<double, 0, 10>, gain),     // 1/s
+                             (cca::bounded<double, 0, 10>, gain),       // 1/s
                              (cca::quantity<cca::speed, 0, 1>, most));  // of the correction
   };
   parameters p{0.66, 0.2, 0.191, 1.076, 0.7, 0.15};

@@ -8,9 +8,8 @@
 namespace walking {
 
 // As fast as commanded, turning as commanded, with little slip and work, level. What is off by more than 0.03
-// m/s or rad/s counts three times, so that no command is given up for the others, and slip of more than 0.11
-// m/s five times, because slippery ground is where it matters. A fall counts as much as 0.6 m/s that are
-// missing. Work counts up to four times the weight, so that a robot that stands has reason
+// m/s or rad/s counts three times, so that no command is given up for the others. A fall counts as much as
+// 0.6 m/s that are missing. Work counts up to four times the weight, so that a robot that stands has reason
 // to walk.
 inline double worth(const figures& f, const command& wanted, double seconds) {
   if (f.fell) return f.seconds / seconds - 6;
@@ -18,9 +17,8 @@ inline double worth(const figures& f, const command& wanted, double seconds) {
     const double by = std::abs(is - shall);
     return by + 2 * std::max(0.0, by - 0.03);
   };
-  const double slip = f.slip + 4 * std::max(0.0, f.slip - 0.11);
   const double transport = f.way > 0 ? std::min(f.transport, 4.0) : 4.0;
-  return -3 * off(f.cruise, wanted.speed) - 3 * off(f.turn, wanted.turn) - 2 * slip - 0.3 * transport -
+  return -3 * off(f.cruise, wanted.speed) - 3 * off(f.turn, wanted.turn) - 2 * f.slip - 0.3 * transport -
          0.3 * (f.max_roll + f.max_pitch);
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <random>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -138,7 +140,7 @@ TEST_SUITE("walking policy") {
     const auto shown = [&](std::int64_t k, double roll, double pitch, double yaw) {
       const cca::beat now(k, 1'000'000, 1);
       const auto q = cca::rotation::from_roll_pitch_yaw(roll, pitch, yaw);
-      return helm.process({q, now.time(), true}, now);
+      return std::get<0>(helm.process({q, now.time(), true}, now));
     };
     for (std::int64_t k = 0; k < 200; ++k)
       CHECK(shown(k, 0.1, 0.2, 0.3).vector() == cca::rotation::from_roll_pitch_yaw(0.1, 0.2, 0.3));
@@ -152,10 +154,133 @@ TEST_SUITE("walking policy") {
     // Down is the same from every heading.
     const Eigen::Vector4d q = cca::rotation::from_roll_pitch_yaw(0.3, -0.2, 1.0);
     const cca::beat now(10'200, 1'000'000, 1);
-    CHECK((trunk().hold(helm.process({q, now.time(), true}, now).vector(), 1).down - trunk().hold(q, 1).down)
-              .norm() < 1e-12);
+    const auto [relative, turn] = helm.process({q, now.time(), true}, now);
+    CHECK((trunk().hold(relative.vector(), 1).down - trunk().hold(q, 1).down).norm() < 1e-12);
+    CHECK(turn[trot::yaw{}] == 0.5);
     const Eigen::Vector4d none = Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
-    CHECK(std::isnan(helm.process({none, now.time(), true}, now).vector()[0]));
+    CHECK(std::isnan(std::get<0>(helm.process({none, now.time(), true}, now)).vector()[0]));
+    const cca::beat first(0, 1'000'000, 1);
+    CHECK(std::get<1>(walking::helm{helm}.process({q, first.time(), true}, first))[trot::yaw{}] == 0);
+  }
+
+  TEST_CASE("the odometer measures the speed of a trunk whose feet stand still, as it pitches and turns") {
+    using namespace cca::robots::oncilla;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    walking::odometer meter;
+    meter.p.scale = 1;
+    std::int64_t k = 0;
+    leg_angles::vector_type angles;
+    leg_velocities::vector_type velocities;
+    angles << 0.9, 0.6, 0.5, 0.8, 1.6, 1.4, 1.5, 1.7;
+    velocities << -2.5, 1, 3, -2.0, 0.4, 5, -7, -0.3;
+    Eigen::Vector3d rates(0, 0, 0);
+    foot_loads::vector_type loads;
+    const auto measured = [&](int beats) {
+      double speed = 0;
+      for (int i = 0; i < beats; ++i, ++k) {
+        const cca::beat now(k, 1'000'000, 1);
+        speed = meter.process({angles, now.time(), true}, {velocities, now.time(), true},
+                              {rates, now.time(), true}, {loads, now.time(), true}, now)[walking::forward{}];
+      }
+      return speed;
+    };
+    // The lowest point of the ball, by differences: where the segments carry it, and how far it rolls.
+    const auto against = [&](std::size_t leg) {
+      const auto at = [&](double t) {
+        const double hip = angles[hip_of(leg)] + t * velocities[hip_of(leg)],
+                     knee = angles[knee_of(leg)] + t * velocities[knee_of(leg)];
+        const auto& m = cca::sim::oncilla_model{};
+        const auto foot = cca::sim::foot_position(m, {hip, knee});
+        const double x = foot.x, z = foot.z - body.trunk_above_hips - body.foot_radius,
+                     y = side_of(leg) * body.hip_y;
+        return x + body.foot_radius * t * velocities[hip_of(leg)] + t * (rates[1] * z - rates[2] * y);
+      };
+      return -(at(1e-6) - at(-1e-6)) / 2e-6;
+    };
+    loads << 0, 0, 0, 0;
+    CHECK(measured(10) == 0);                    // in the air: none yet
+    for (std::size_t leg = 0; leg < 4; ++leg) {  // one foot carries: all that counts
+      loads.setZero(), loads[leg] = 25, rates << 0.3, 0.4, -0.5;
+      CHECK(measured(4000) == doctest::Approx(against(leg)).epsilon(1e-6));
+    }
+    const double before = measured(1);
+    loads.setZero();
+    CHECK(measured(4000) == doctest::Approx(before));  // in the air: that of before
+    // Feet count as the squares of their loads, front feet less.
+    loads << 10, 0, 0, 20;
+    meter.p.front = 0.5;
+    CHECK(measured(4000) ==
+          doctest::Approx((0.5 * 100 * against(0) + 400 * against(3)) / (0.5 * 100 + 400)).epsilon(1e-6));
+    const double held = measured(1);
+    rates[1] = nan;
+    CHECK(measured(100) == held);
+    rates[1] = 0.4, loads[1] = nan;
+    CHECK(measured(100) == held);
+    // A mean over `average`, and `scale` times as much.
+    walking::odometer fresh;
+    fresh.p.scale = 2, fresh.p.average = 0.5;
+    loads << 0, 0, 0, 20;
+    meter = fresh;
+    CHECK(measured(500) == doctest::Approx(2 * (1 - std::exp(-1)) * against(3)).epsilon(0.01));
+  }
+
+  TEST_CASE("the throttle is the straight line of the trot, and corrects it where the speed is measured") {
+    const auto asked = [](walking::throttle& t, double at, std::int64_t k, bool wired) {
+      cca::optional_in<"speed", walking::trunk_speed> speed(Eigen::Matrix<double, 1, 1>(at), 0, true);
+      if (wired) speed.set_wired();
+      return t.process(speed, cca::beat(k, 1'000'000, 10)).vector()[0];
+    };
+    walking::throttle t;
+    t.p.speed = 0.4;
+    const double line = t.p.intercept + t.p.slope * t.p.speed;
+    std::int64_t k = 0;
+    for (; k < 200; k += 10) CHECK(asked(t, 0, k, true) == -1);  // it stands first, and gathers nothing
+    for (; k < 1200; k += 10) CHECK(asked(t, 0.1, k, false) == line);
+    CHECK(asked(t, 0.4, k, true) == doctest::Approx(line));
+    for (int i = 0; i < 10; ++i, k += 10) CHECK(asked(t, 0.3, k, true) > line);  // 0.1 s, too slow by 0.1
+    CHECK(asked(t, 0.4, k, true) == doctest::Approx(line + t.p.slope * t.p.gain * 0.1 * 0.1));
+    CHECK(asked(t, std::numeric_limits<double>::quiet_NaN(), k, true) ==
+          doctest::Approx(line + t.p.slope * t.p.gain * 0.1 * 0.1));
+    for (int i = 0; i < 2000; ++i, k += 10)
+      CHECK(asked(t, 0, k, true) <= line + t.p.slope * t.p.most + 1e-12);
+    CHECK(asked(t, 0, k, true) == doctest::Approx(line + t.p.slope * t.p.most));
+    CHECK(asked(t, 0.5, k, true) < line + t.p.slope * t.p.most);  // it has not wound up
+    for (int i = 0; i < 2000; ++i, k += 10) asked(t, 0.9, k, true);
+    CHECK(asked(t, 0.9, k, true) == doctest::Approx(line - t.p.slope * t.p.most));
+    t.p.speed = 0;
+    CHECK(asked(t, 0.9, k, true) == -1);
+    t.p.speed = 0.4;
+    CHECK(asked(t, 0.4, k, true) == doctest::Approx(line));  // from the line again
+  }
+
+  TEST_CASE("in a circle the feet step aside, so that they stand still on the ground") {
+    using number = Eigen::Matrix<double, 1, 1>;
+    walking::sidestep s;
+    s.p.share = 1;
+    const double turn = 0.4, frequency = s.p.duty / s.p.stance, whole = 2 * std::numbers::pi;
+    const auto abduction = [&](double phase, double amplitude, double turning) {
+      return s.process({number(phase), 0, true}, {number(amplitude), 0, true}, {number(turning), 0, true})
+          .vector();
+    };
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const double x = leg < 2 ? s.p.front : s.p.hind, side = leg % 2 == 0 ? 1 : -1;
+      const auto at = [&](double own) {
+        return side * s.p.height *
+               abduction(cca::wrap_signed(whole * (own - s.p.offsets[leg])), 1, turn)[leg];
+      };
+      // In stance it moves as the ground does under a trunk that turns: -turn * x; over a stride, nowhere.
+      const double step = 0.01;
+      CHECK((at(0.4) - at(0.4 - step)) / (step / frequency) == doctest::Approx(-turn * x));
+      CHECK(at(0.5 * s.p.duty) == doctest::Approx(0).epsilon(1e-9));
+      CHECK(at(0) == doctest::Approx(-at(s.p.duty)));
+      CHECK(at(0.5 * (1 + s.p.duty)) == doctest::Approx(0).epsilon(1e-9));
+      CHECK(at(1 - 1e-9) == doctest::Approx(at(0)));
+    }
+    CHECK(abduction(0.3, 1, 0).isZero());
+    CHECK(abduction(0.3, 0, turn).isZero());
+    CHECK(abduction(0.3, 0.5 * s.p.full, turn).isApprox(0.5 * abduction(0.3, 1, turn)));
+    CHECK(abduction(0.3, 1, -turn).isApprox(-abduction(0.3, 1, turn)));
+    CHECK(abduction(0.3, 5, turn) == abduction(0.3, s.p.full, turn));
   }
 
   TEST_CASE("the figures along a circle: speed towards the nose, turn, and cost of transport") {
