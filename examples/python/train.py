@@ -5,7 +5,7 @@
     train.py --minutes 0.2 --out try.policy     to see that it runs
 
 The module oncilla_walk has to be on PYTHONPATH (docs/python.md). The file is what the robot's program loads:
-walking_policy --weights walk.policy. The same seed and --generations give the same bits on any number of cores of one machine.
+walking_policy --weights walk.policy --config walk.toml. The same seed and --generations give the same bits on any number of cores of one machine.
 
 Each generation tries pairs of weights around the mean, one robot for each, all with the same disturbance, and goes along those that
 are worth more, by their ranks, with the steps of Adam. Source: Salimans et al., Evolution strategies as a scalable alternative to

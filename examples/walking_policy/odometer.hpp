@@ -34,7 +34,7 @@ struct odometer {
                              (cca::quantity<cca::duration, 0.01, 60>, average),
                              (cca::bounded<double, 0, 1>, front),  // how much a front foot counts
                              (cca::quantity<cca::force, 0.1, 1e4>,
-                              lightest),                               // N, of all feet, on the ground
+                              lightest),                               // N, else no foot carries
                              (cca::bounded<double, 0.1, 10>, scale));  // of the output
   };
   parameters p{0.25, 0.1, 4, 1.2};

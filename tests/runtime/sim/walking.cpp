@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -251,6 +252,48 @@ TEST_SUITE("walking policy") {
     CHECK(asked(t, 0.9, k, true) == -1);
     t.p.speed = 0.4;
     CHECK(asked(t, 0.4, k, true) == doctest::Approx(line));  // from the line again
+  }
+
+  TEST_CASE("the symmetric policy does on the left what it does on the right, half a stride later") {
+    using network = walking::policy::network;
+    walking::symmetric_policy both;
+    walking::policy one;
+    std::mt19937_64 bits(3);
+    const auto number = [&] { return 2 * static_cast<double>(bits() >> 11) * 0x1p-53 - 1; };
+    for (double& w : both.weights.weights) w = 0.3 * number();
+    both.weights.offset << 0.8, 0.8, 0.6, 0.6, 1.6, 1.6, 1.5, 1.5;
+    both.weights.gain.setConstant(0.1);
+    one.weights = both.weights;
+    const auto answer = [](auto& policy, const network::input& x) {
+      return std::get<0>(policy.process({x.segment<3>(0), 0, true}, {x.segment<3>(3), 0, true},
+                                        {x.segment<3>(6), 0, true}, {x.segment<3>(9), 0, true},
+                                        {x.segment<8>(12), 0, true}));
+    };
+    // Numbers that change their sign; then left and right change places.
+    const auto mirror = [](network::input x) {
+      for (const int i : {0, 1, 4, 6, 8, 9, 10}) x[i] = -x[i];
+      for (const int i : {12, 14, 16, 18}) std::swap(x[i], x[i + 1]);
+      return x;
+    };
+    const auto swapped = [](network::output y) {
+      for (const int i : {0, 2, 4, 6}) std::swap(y[i], y[i + 1]);
+      return y;
+    };
+    for (int i = 0; i < 20; ++i) {
+      network::input x;
+      for (double& v : x) v = number();
+      x.tail<8>() += both.weights.offset;
+      const network::output y = answer(both, x).vector(), of_one = answer(one, x).vector(),
+                            of_image = answer(one, mirror(x)).vector();
+      CHECK(y.isApprox(0.5 * (of_one + swapped(of_image)), 1e-12));
+      CHECK(answer(both, mirror(x)).vector().isApprox(swapped(y), 1e-12));
+      CHECK(!of_one.isApprox(swapped(of_image), 1e-3));
+      both.p.symmetric = false;
+      CHECK(answer(both, x).vector() == of_one);
+      both.p.symmetric = true;
+      x[7] = std::numeric_limits<double>::quiet_NaN();
+      CHECK(!answer(both, x));
+    }
   }
 
   TEST_CASE("in a circle the feet step aside, so that they stand still on the ground") {
