@@ -112,7 +112,6 @@ inline constexpr auto frame_layout_of<Mode> = [] {
   using M = set_of_key<Mode>;
   constexpr const auto& whole = frame_layout_of<M>;
   constexpr int outputs = counts_of<Mode>.output_count;
-  const auto& plan = plan_of<Mode>;
   const auto view = shared_plan_of<M>.view_of(shown_plan<Mode>, shown_plan<M>);
   frame_layout<outputs> frame;
   frame.origins = whole.origins;
