@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <memory>
@@ -30,6 +31,14 @@ using about = cca::detail::door_request::what;
 using door_test::fake_controls;
 const std::string token = "0123456789abcdef";
 const std::string node = "test_servo_reference";
+
+// Said at the end: how much the fuzzer judged.
+struct messages_judged {
+  unsigned long long count = 0;
+
+  ~messages_judged() { std::fprintf(stderr, "%llu messages judged: nothing that was not allowed\n", count); }
+};
+messages_judged judged;
 
 class several {
 public:
@@ -261,6 +270,7 @@ private:
 
   // A message, and what it may do.
   void hear(Client& c, std::size_t who, net::frame_kind kind, std::string_view payload) {
+    ++judged.count;
     now += std::chrono::milliseconds(2);
     const bool is_heard = c.at->closing == net::no_fault, had_token = c.at->has_token;
     const bool may = had_token && commands == who;
