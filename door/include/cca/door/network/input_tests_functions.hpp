@@ -11,6 +11,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/base/response/frequency_response.hpp>
 #include <cca/base/response/step_response.hpp>
+#include <cca/door/network/changes_functions.hpp>
 #include <cca/door/network/hub.hpp>
 #include <cca/door/network/input_tests.hpp>
 #include <cca/door/network/messages_functions.hpp>
