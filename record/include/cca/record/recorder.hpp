@@ -227,11 +227,17 @@ private:
     if (what_failed.empty()) what_failed = file->problem();
     file.reset();
     ends_file.store(false, std::memory_order_relaxed);
+    is_marked.store(false, std::memory_order_relaxed);
     file_ended.notify_all();
   }
-  // `reached`: no sample of an earlier beat will come.
+  // `reached`: no sample of an earlier beat will come. What was there when the end was asked for is written.
   void end_file_after_beat(std::int64_t reached) {
-    if (!ends_file.load(std::memory_order_acquire) || reached <= last_beat) return;
+    if (!ends_file.load(std::memory_order_acquire)) return;
+    if (!is_marked.exchange(true, std::memory_order_relaxed))
+      for (auto* one : sources) one->set_mark();
+    bool is_past = reached > last_beat;
+    for (auto* one : sources) is_past = one->has_passed_mark() && is_past;
+    if (!is_past) return;
     const std::scoped_lock lock(guard_of_file);
     if (file && ends_file.load(std::memory_order_relaxed)) end_file_in_order();
   }
@@ -279,7 +285,7 @@ private:
   Controller* of;
   std::int64_t end = -1, last_beat = -1;  // last_beat: of which a sample was written
   bool is_closed = false, is_discarded = false;
-  std::atomic<bool> is_closing{false}, ends_file{false};
+  std::atomic<bool> is_closing{false}, ends_file{false}, is_marked{false};
   mutable std::mutex guard, guard_of_file;  // of notes; of file, its name and what_failed: never the loops'
   std::condition_variable wake, file_ended;
   std::vector<std::pair<std::string, detail::text_map>> notes;

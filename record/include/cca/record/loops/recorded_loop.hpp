@@ -56,6 +56,9 @@ public:
   // Of the item, among those of its beat: events come first, in the order in which they were told.
   virtual std::uint64_t order() const = 0;
   virtual bool is_full() const = 0;  // almost
+  // Whether all that was there at the mark has been written, as of the last look.
+  virtual void set_mark() = 0;
+  virtual bool has_passed_mark() = 0;
   virtual void write_item() = 0;
   virtual void write_lost_up_to(std::int64_t end) = 0;
   virtual std::int64_t lost_events() const = 0;
@@ -156,6 +159,11 @@ public:
   bool is_event() const override { return has_event; }
   std::uint64_t order() const override { return has_event ? oldest.order : after_events; }
   bool is_full() const override { return this->ring.is_almost_full(); }
+  void set_mark() override { mark = this->ring.frame(); }
+  bool has_passed_mark() override {
+    if (!frame || frame == mark) mark = nullptr;
+    return !mark;
+  }
   void write_item() override {
     if (has_event) {
       events.take(oldest, payload);
@@ -226,7 +234,7 @@ private:
 
   std::vector<unsigned char> payload;
   event oldest{};
-  const std::int64_t* frame = nullptr;
+  const std::int64_t *frame = nullptr, *mark = nullptr;
   bool has_event = false;
   std::int64_t expected;
 };
