@@ -190,7 +190,7 @@ TEST_CASE("a file that ends while the loops run ends after a whole beat of all, 
     {
       cca::deployed<split> d;
       // At last the file ends before the thread that writes has looked at anything.
-      const std::chrono::milliseconds looks_every(n < 3 ? 2 : 100);
+      const std::chrono::milliseconds looks_every(n < 3 ? 2 : 400);
       cca::recording::recorder recording(d, file.path, {.waits = true, .looks_every = looks_every});
       std::atomic<bool> is_time = false;
       std::thread other([&] {
