@@ -37,10 +37,6 @@ sim::compiled_world<sledge> thrown(const std::array<double, 3>& turning, const s
   w.place({0}, {0}, cca::at(place[0], place[1], place[2]), turning, speed);
   return w;
 }
-template <class World>
-void run(World& w, int beats) {
-  for (int i = 0; i < beats; ++i) w.advance({});
-}
 
 // Hips and knees follow sines of 4 Hz.
 std::array<sim::joint_law, 16> treading(int beat) {

@@ -63,10 +63,6 @@ sim::scene on_floor(std::array<double, 3> at, std::array<double, 3> velocity = {
 }
 double carried(double m, double points = 1) { return 0.0005 + m * gravity / points / 40e3; }
 
-template <class World>
-void run(World& w, int beats) {
-  for (int i = 0; i < beats; ++i) w.advance({});
-}
 // With that of the floor's spring.
 template <class World>
 double energy_of_ball(const World& w, std::size_t i) {

@@ -22,16 +22,6 @@ using test::dual;
 
 namespace {
 
-constexpr double half_turn = 3.14159265358979323846;
-
-struct crate : sledge {
-  static constexpr std::array shapes{robots::on_base(robots::box(0.3, 0.2, 0.1))};
-};
-struct roller : sledge {  // along x
-  static constexpr std::array shapes{
-      robots::on_base(robots::capsule(0.02, 0.4), cca::turned_about(cca::along_y, half_turn / 2))};
-};
-
 sim::scene with_box(const sim::fixed_box& b, double friction = 0.75) {
   sim::scene s;
   s.contact.friction = friction;
@@ -47,10 +37,6 @@ sim::scene with_floor(double friction = 0.75) {
   s.floor = 0, s.contact.friction = friction;
   return s;
 }
-template <class World>
-void run(World& w, int beats) {
-  for (int i = 0; i < beats; ++i) w.advance({});
-}
 template <class R>
 sim::compiled_world<R> put(const sim::scene& s,
                            const cca::placement& where,
@@ -64,8 +50,6 @@ bool same_bits(const World& a, const World& b) {
   return std::memcmp(&a.save().motion, &b.save().motion, sizeof a.save().motion) == 0 &&
          std::memcmp(&a.save().around, &b.save().around, sizeof a.save().around) == 0;
 }
-// The depth at which `points` of them carry the sledge's mass.
-double deep(double points) { return 0.0005 + mass * gravity / points / 40e3; }
 
 using arm_world = sim::compiled_world<robots::arm::description>;
 

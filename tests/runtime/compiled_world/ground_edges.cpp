@@ -15,16 +15,6 @@ using namespace compiled_test;
 
 namespace {
 
-constexpr double half_turn = 3.14159265358979323846;
-
-struct crate : sledge {
-  static constexpr std::array shapes{robots::on_base(robots::box(0.3, 0.2, 0.1))};
-};
-struct roller : sledge {  // along x
-  static constexpr std::array shapes{
-      robots::on_base(robots::capsule(0.02, 0.4), cca::turned_about(cca::along_y, half_turn / 2))};
-};
-
 sim::scene ground_of(const sim::terrain& t, double friction = 0.75) {
   sim::scene s;
   s.ground = t.with_friction(friction), s.contact.friction = friction;
@@ -44,12 +34,6 @@ auto put(const sim::scene& s, const cca::placement& where) {
   w.place({Real(0.0)}, {Real(0.0)}, where, {}, {});
   return w;
 }
-template <class World>
-void run(World& w, int beats) {
-  for (int i = 0; i < beats; ++i) w.advance({});
-}
-// The depth at which `points` of them carry the sledge's mass.
-double deep(double points) { return 0.0005 + mass * gravity / points / 40e3; }
 
 using triple = sim::detail::triple<double>;
 

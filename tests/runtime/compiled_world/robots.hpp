@@ -106,4 +106,22 @@ inline sim::compiled_world<sledge> on_slope(double pitch, double friction) {
 }
 inline double speed(const sim::compiled_world<sledge>& w) { return w.frame(-1).velocity.norm(); }
 
+// The same on a box, and on a capsule.
+inline constexpr double half_turn = 3.14159265358979323846;
+
+struct crate : sledge {
+  static constexpr std::array shapes{robots::on_base(robots::box(0.3, 0.2, 0.1))};
+};
+struct roller : sledge {  // along x
+  static constexpr std::array shapes{
+      robots::on_base(robots::capsule(0.02, 0.4), cca::turned_about(cca::along_y, half_turn / 2))};
+};
+
+template <class World>
+void run(World& w, int beats) {
+  for (int i = 0; i < beats; ++i) w.advance({});
+}
+// The depth at which `points` contacts carry their mass.
+inline double deep(double points) { return 0.0005 + mass * gravity / points / 40e3; }
+
 }  // namespace compiled_test
