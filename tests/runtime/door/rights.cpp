@@ -34,6 +34,35 @@ json asked_rights(client& c) {
 }
 const std::string push = "/cca/command/push";
 
+// A door before a program with an input that may be tested.
+struct testable {
+  fake_controls controls{};
+  cca::detail::door_server door{quiet(), with_test(controls)};
+
+  testable() {
+    std::uint16_t id = 0;
+    for (const char* topic : {"/robot/angles", "/test_servo_reference/excitation"})
+      door.sink().channel({.id = ++id, .topic = topic, .type = "a", .schema = "", .is_kept = true});
+  }
+  std::uint16_t port() const { return door.port(); }
+  std::string signal() {
+    const auto all = controls.parameters();
+    for (const auto& one : all.value_or(std::vector<cca::detail::door_parameter>{}))
+      if (one.path == "test_servo_reference.signal") return one.value.text;
+    return {};
+  }
+
+private:
+  static fake_controls& with_test(fake_controls& of) {
+    of.offer_test();
+    return of;
+  }
+};
+json sine(double amplitude) {
+  return {{"input", "servo.reference"}, {"output", "robot.angles"}, {"signal", "sine"},
+          {"amplitude", amplitude},     {"frequency", 1},           {"duration", 600}};
+}
+
 std::string why_no_token(cca::door_settings with) {
   fake_controls controls;
   with.port = 0;
@@ -246,36 +275,84 @@ TEST_CASE("A commander that reads nothing more is lost, though a write to it is 
 }
 
 TEST_CASE("A test that a change of parameters has begun ends with the right to command") {
-  fake_controls controls;
-  controls.offer_test();
-  const cca::detail::door_server door(quiet(), controls);
-  const auto signal = [&] {
-    const auto all = controls.parameters();
-    for (const auto& one : all.value())
-      if (one.path == "test_servo_reference.signal") return one.value.text;
-    return std::string();
-  };
-  client c(door.port(), token);
+  testable one;
+  client c(one.port(), token);
   CHECK(c.call("/cca/take_command").empty());
   c.set("gait.frequency", 2.0);
   c.set("test_servo_reference.signal", "step");
-  CHECK(soon([&] { return signal() == "step"; }));
+  CHECK(soon([&] { return one.signal() == "step"; }));
   CHECK(c.call("/cca/give_command").empty());
-  CHECK(soon([&] { return signal() == "off"; }));
+  CHECK(soon([&] { return one.signal() == "off"; }));
   CHECK(c.call("/cca/take_command").empty());
   c.set("test_servo_reference.signal", "sine");
-  CHECK(soon([&] { return signal() == "sine"; }));
+  CHECK(soon([&] { return one.signal() == "sine"; }));
   c.wire.reset();
-  CHECK(soon([&] { return signal() == "off"; }));
-  client later(door.port(), token);
+  CHECK(soon([&] { return one.signal() == "off"; }));
+  client later(one.port(), token);
   CHECK(later.call("/cca/take_command").empty());
   later.set("test_servo_reference.signal", "sine");
-  CHECK(soon([&] { return signal() == "sine"; }));
+  CHECK(soon([&] { return one.signal() == "sine"; }));
   later.set("test_servo_reference.signal", "off");
-  CHECK(soon([&] { return signal() == "off"; }));
-  const auto asked = controls.asked().size();
+  CHECK(soon([&] { return one.signal() == "off"; }));
+  const auto asked = one.controls.asked().size();
   CHECK(later.call("/cca/give_command").empty());
-  CHECK(controls.asked().size() == asked);  // nothing is left to end
+  CHECK(one.controls.asked().size() == asked);  // nothing is left to end
+}
+
+TEST_CASE("What an earlier client has begun does not cut the test of the next") {
+  testable one;
+  one.controls.answers(how::begun);
+  {
+    client earlier(one.port(), token);
+    CHECK(earlier.call("/cca/take_command").empty());
+    earlier.set("gait.frequency", 2);
+    CHECK(earlier.call("/cca/give_command").empty());  // so the change was heard
+  }
+  client c(one.port(), token);
+  CHECK(c.call("/cca/take_command").empty());
+  const auto test = c.send_call("/cca/test", sine(0.1));
+  c.text({{"op", "nonsense"}});
+  CHECK(c.is_told("nonsense"));
+  one.controls.answers(how::done);
+  CHECK(c.answer_of(test) == "");
+  CHECK(one.signal() == "sine");
+  CHECK(c.call("/cca/give_command").empty());
+  CHECK(soon([&] { return one.signal() == "off"; }));
+}
+
+TEST_CASE("A test that waits when the command is given back does not begin") {
+  testable one;
+  client c(one.port(), token);
+  CHECK(c.call("/cca/take_command").empty());
+  one.controls.answers(how::busy);
+  const auto test = c.send_call("/cca/test", sine(0.1));
+  CHECK(c.call("/cca/give_command").empty());
+  CHECK(c.answer_of(test) == "/cca/test: it was ended before a beat began it");
+  one.controls.answers(how::done);
+  CHECK(c.call("/cca/take_command").empty());
+  CHECK(c.call("/cca/command/wave").empty());  // all before it has an end
+  CHECK(one.signal() == "off");
+  for (const auto& asked : one.controls.asked())
+    for (const auto& [name, value] : asked.values) CHECK(value.text != "sine");
+}
+
+TEST_CASE("Of two tests, the first of which is begun late, each ends with its client's right") {
+  testable one;
+  client a(one.port(), token), b(one.port(), token);
+  CHECK(a.call("/cca/take_command").empty());
+  one.controls.answers(how::begun);
+  const auto first = a.send_call("/cca/test", sine(0.1));
+  CHECK(a.call("/cca/give_command").empty());
+  CHECK(b.call("/cca/take_command").empty());
+  const auto second = b.send_call("/cca/test", sine(0.2));
+  b.text({{"op", "nonsense"}});
+  CHECK(b.is_told("nonsense"));
+  one.controls.answers(how::done);
+  CHECK(a.answer_of(first) == "");
+  CHECK(b.answer_of(second) == "");
+  CHECK(one.signal() == "sine");
+  CHECK(b.call("/cca/give_command").empty());
+  CHECK(soon([&] { return one.signal() == "off"; }));
 }
 
 TEST_CASE("What nobody has begun is not done after its client is lost") {

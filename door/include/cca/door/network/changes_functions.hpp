@@ -164,25 +164,25 @@ inline void hub::end(
         differs += (differs.empty() ? " " : ", ") + one.path + " from " + text_of(json_of(was->value)) +
                    " to " + text_of(json_of(one.value)) + (one.unit.empty() ? "" : " " + one.unit);
     what += differs.empty() ? " nothing" : differs;
-    if ((!differs.empty() && !task.is_test) || task.is_undo) remember(*before, *after, task.is_undo);
+    if ((!differs.empty() && task.test.empty()) || task.is_undo) remember(*before, *after, task.is_undo);
   }
   log(task.name,
       (done ? "" : "refused: ") + what + (done ? "" : ": " + outcome.why) + (is_late ? " (late)" : ""), done);
   if (after) tell_changed(*after);
-  if (done && after && before && !task.is_test) {
-    note_driven(*before, *after);
-    if (!(commander && commander->id == task.client))
-      cut_test(task.since);  // it has lost the right meanwhile
-  }
+  const bool has_lost = !(commander && commander->id == task.client);  // the right, meanwhile
+  if (done && after && before && task.test.empty())
+    for (const std::string& node : tests_begun(*before, *after)) {
+      if (has_lost) switch_test_off(node, task.since);
+      else driven.insert(node);
+    }
   if (task.answer && !is_late) task.answer(outcome);
-  // Its client was told that it is refused, so nobody ends it.
-  if (done && is_late && task.is_test && task.client != 0)
-    switch_test_off(tested.node(), "of " + tested.input(), task.since);
+  // Its client was told that it is refused, or may not any more: nobody else ends it.
+  if (done && !task.test.empty() && task.client != 0 && (is_late || has_lost))
+    switch_test_off(task.test, task.since);
   const bool is_call = task.request.about == door_request::what::call;
   if (done && task.is_held && is_call) {
-    // It may have lost the right meanwhile: then the effect ends at once.
-    if (commander && commander->id == task.client) held.insert(task.request.text);
-    else release(task.request.text, task.since);
+    if (has_lost) release(task.request.text, task.since);  // the effect ends at once
+    else held.insert(task.request.text);
   }
   if (done && task.request.about == door_request::what::release) held.erase(task.request.text);
 }

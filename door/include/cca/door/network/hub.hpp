@@ -141,8 +141,8 @@ private:
   void begin_test(door_client&, const service_call&, const json&, time_point now);
   void end_test(door_client&, const service_call&, time_point now);
   void cut_test(time_point now);
-  void switch_test_off(const std::string& node, const std::string& what, time_point now);
-  void note_driven(const values& before, const values& after);
+  void switch_test_off(const std::string& node, time_point now);
+  std::vector<std::string> tests_begun(const values& before, const values& after);
   void tell_response(door_client&, const service_call&);
 };
 

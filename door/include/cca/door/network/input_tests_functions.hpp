@@ -115,14 +115,14 @@ inline void input_test::listen(shown_channels& channels, bool does) const {
   channels.listen(asked.output.channel, does);
   if (asked.from) channels.listen(asked.from->channel, does);
 }
-inline void input_test::begin(std::uint64_t by, std::int64_t period_of_beat, shown_channels& channels) {
-  owner = by, began = none, lost_messages = 0, period = period_of_beat, is_cut = false;
+inline void input_test::begin(std::uint64_t number, std::int64_t period_of_beat, shown_channels& channels) {
+  given = number, began = none, lost_messages = 0, period = period_of_beat, is_cut = false;
   is_listening = true;
   listen(channels, true);
 }
 inline void input_test::end(shown_channels& channels) {
   if (std::exchange(is_listening, false)) listen(channels, false);
-  owner = 0;
+  given = 0;
 }
 
 // A sample of an output: the head of CDR, the beat, the time of origin, a number for each axis.
@@ -234,19 +234,17 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
     return refuse(why);
   tested.end(channels);
   tested = next;
-  tested.begin(c.id, controls.status().period, channels);
+  tested.begin(++last_id, controls.status().period, channels);
   door_task task{.client = c.id, .name = c.name, .what = "/cca/test " + next.input(), .may_set = true};
   task.request.about = door_request::what::set;
   task.prepare = [next](const values& all, door_request& request) { return next.fill(all, request); };
-  task.is_test = true;
-  task.answer = [this, client = c.id, one](const door_outcome& outcome) {
-    if (outcome.is == door_outcome::how::done) tested.begun(channels.latest);
-    else tested.end(channels);
-    const door_outcome told{outcome.is, outcome.why.empty() ? "" : "/cca/test: " + outcome.why};
-    answer(client, one, told);
-    // It has lost the right meanwhile.
-    if (outcome.is == door_outcome::how::done && !(commander && commander->id == client))
-      cut_test(time_point::clock::now());
+  task.test = next.node();
+  task.answer = [this, client = c.id, number = tested.number(), one](const door_outcome& outcome) {
+    if (number == tested.number()) {  // else it was cut, and another has begun
+      if (outcome.is == door_outcome::how::done) tested.begun(channels.latest);
+      else tested.end(channels);
+    }
+    answer(client, one, {outcome.is, outcome.why.empty() ? "" : "/cca/test: " + outcome.why});
   };
   requests.add(std::move(task), now);
   requests.tick(now);
@@ -254,21 +252,26 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
 
 // As a command that is held: it ends with the right to command.
 inline void hub::cut_test(time_point now) {
-  for (const std::string& node : std::exchange(driven, {})) switch_test_off(node, "by " + node, now);
+  requests.refuse_tests("it was ended before a beat began it");
+  for (const std::string& node : std::exchange(driven, {})) switch_test_off(node, now);
   if (!tested.is_running(channels.latest)) return;
   tested.cut();
-  switch_test_off(tested.node(), "of " + tested.input(), now);
+  switch_test_off(tested.node(), now);
 }
-inline void hub::switch_test_off(const std::string& node, const std::string& what, time_point now) {
-  door_task task{.name = "door", .what = "ends the test " + what, .may_set = true};
+inline void hub::switch_test_off(const std::string& node, time_point now) {
+  const auto& all = controls.description().tests;
+  const auto of = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.node == node; });
+  door_task task{
+      .name = "door", .what = "ends the test of " + (of == all.end() ? node : of->input), .may_set = true};
   task.request.about = door_request::what::set;
   task.request.values = {{node + ".signal", door_value{.what = door_value::kind::text, .text = "off"}}};
-  task.is_test = true;
+  task.test = node;
   requests.add_first(std::move(task), now);
 }
 
-// What begins a test without /cca/test: it ends in the same way.
-inline void hub::note_driven(const values& before, const values& after) {
+// Their nodes, where a change of parameters or a file does it without /cca/test: they end in the same way.
+inline std::vector<std::string> hub::tests_begun(const values& before, const values& after) {
+  std::vector<std::string> begun;
   for (const auto& one : controls.description().tests) {
     const door_parameter* signal = parameter_of(after, one.node + ".signal");
     if (!signal || signal->value.text == "off") {
@@ -277,14 +280,15 @@ inline void hub::note_driven(const values& before, const values& after) {
                  const door_parameter* was = parameter_of(before, now.path);
                  return now.path.starts_with(one.node + ".") && !(was && was->value == now.value);
                })) {
-      driven.insert(one.node);
+      begun.push_back(one.node);
     }
   }
+  return begun;
 }
 
 inline void hub::end_test(door_client& c, const service_call& one, time_point now) {
-  const bool runs = tested.is_running(channels.latest);
-  if (runs) log(c.name, "/cca/end_test " + tested.input(), true);
+  const bool runs = tested.is_running(channels.latest) || !driven.empty();
+  if (runs) log(c.name, "/cca/end_test", true);
   cut_test(now);
   requests.tick(now);
   answer(c.id, one,

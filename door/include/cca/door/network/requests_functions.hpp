@@ -28,7 +28,7 @@ struct door_task {
   std::function<std::string(const std::vector<door_parameter>&, door_request&)> prepare{};
   std::function<void(const door_outcome&)> answer{};
   bool is_undo = false, is_held = false;  // held: a command that has an effect until it is released
-  bool is_test = false;                   // of an input: nothing that an undo takes back
+  std::string test{};  // the node of a test that it begins or ends, which no undo takes back
   time_point since{};
 };
 
@@ -56,6 +56,10 @@ public:
   // What a client asked for and nobody has begun.
   void forget(std::uint64_t client) {
     std::erase_if(waiting, [&](const door_task& one) { return one.client == client; });
+  }
+  // Those of clients that nobody has begun: each is told why.
+  void refuse_tests(const std::string& why) {
+    refuse([](const door_task& one) { return one.client != 0 && !one.test.empty(); }, why);
   }
   void tick(time_point now) {
     stop_now(now);
@@ -137,11 +141,15 @@ private:
       if (current->answer)
         current->answer({door_outcome::how::refused, std::string(not_taken) + "; the next one takes it"});
     }
-    std::deque<door_task> old;
+    refuse([&](const door_task& one) { return is_old(one, now); }, not_taken);
+  }
+  template <class Which>
+  void refuse(Which&& which, const std::string& why) {
+    std::deque<door_task> refused;
     for (auto one = waiting.begin(); one != waiting.end();)
-      if (is_old(*one, now)) old.push_back(std::move(*one)), one = waiting.erase(one);
+      if (which(*one)) refused.push_back(std::move(*one)), one = waiting.erase(one);
       else ++one;
-    for (door_task& one : old) on_end(one, {door_outcome::how::refused, not_taken}, nullptr, nullptr, false);
+    for (door_task& one : refused) on_end(one, {door_outcome::how::refused, why}, nullptr, nullptr, false);
   }
 };
 
