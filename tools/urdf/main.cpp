@@ -45,6 +45,8 @@ int main(int count, char** words) {
   line.text("--out FILE", s.out, "the header (standard output)");
   line.text("--namespace NAME", s.options.header.name_space, "of the description (the name of the robot)");
   line.flag("--floats", s.options.floats, "nothing holds the base, as of a walking robot");
+  line.flag("--touches-itself", s.options.header.touches_itself,
+            "its shapes touch each other, but for those of neighbours");
   line.number("--rate HZ", s.options.header.rate, 1, 1e6, "of the ports (1000)");
   line.texts("--end LINK", s.options.ends, "a part ends in this link; may be given again");
   line.flag("--accept-inertia", s.options.accept_inertia,

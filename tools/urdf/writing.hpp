@@ -17,6 +17,7 @@ struct header_options {
   std::string name_space;  // empty: the name of the robot
   std::string source;      // the file that was read
   double rate = 1000;      // Hz
+  bool touches_itself = false;
 };
 
 class header {
@@ -36,6 +37,8 @@ public:
       if (const std::string& id = axis_names_.add(name); id != name)
         said.note(b.moved_by->line, named(*b.moved_by) + " is the axis '" + id + "' in the description");
     }
+    if (options_.touches_itself && bodies_with_shapes() < 2)
+      said.note(0, "nothing touches itself: fewer than two bodies have a shape");
   }
 
   std::string text(const std::vector<remark>& notes) const {
@@ -209,13 +212,28 @@ private:
           "  // Where 0 is outside of a range, the middle of that range.\n  static constexpr "
           "std::array<double, " +
           std::to_string(count) + "> start{" + start + "};\n";
-    if (const std::string shapes = all_shapes(); !shapes.empty())
+    if (options_.touches_itself)
+      all +=
+          "  // By --touches-itself: its shapes touch each other, but for those of neighbours.\n"
+          "  static constexpr bool touches_itself = true;\n";
+    if (const std::string shapes = all_shapes(); !shapes.empty()) {
+      if (!options_.touches_itself && bodies_with_shapes() > 1)
+        all += "  // They pass through each other: --touches-itself was not given.\n";
       all += "  static constexpr std::array shapes{\n      " + shapes + "};\n";
+    }
     const bool weighs =
         std::ranges::all_of(bodies_.all(), [](const body& b) { return !b.moved_by || b.mass.mass > 0; });
     return all +
            "};\n\nstatic_assert(cca::robots::" + (weighs ? "check_description" : "check_without_masses") +
            "<description>());\n\n";
+  }
+
+  std::size_t bodies_with_shapes() const {
+    std::set<int> with;
+    for (std::size_t i = 0; i < robot_.links.size(); ++i)
+      if (const int body = bodies_.place(static_cast<int>(i)).body; body >= 0 && !robot_.links[i].collisions.empty())
+        with.insert(body);
+    return with.size();
   }
 
   // A shape on the link in which a part ends is at the tip: the force sensor of that part feels it.

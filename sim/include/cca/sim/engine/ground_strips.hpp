@@ -26,25 +26,27 @@ public:
   void each_under(dGeomID part, F f) const {
     std::array<dReal, 6> bounds;  // of the part: x, y, z, each from and to
     dGeomGetAABB(part, bounds.data());
-    const double y = (bounds[2] + bounds[3]) / 2;
+    const double y = (bounds[2] + bounds[3]) / 2, across = bounds[3] - bounds[2] + 2 * margin,
+                 high = bounds[5] - bounds[4];
     shape_.strips_between(bounds[0], bounds[1], [&](const ground_strip& strip) {
       const double begin = std::max(strip.begin, bounds[0] - margin),
                    end = std::min(strip.end, bounds[1] + margin);
       if (bounds[4] > std::max(strip.height(begin), strip.height(end))) return;
-      put_box(strip, begin, end, y);
+      put_box(strip, begin, end, y, std::max(width, across), std::max(depth, high + margin));
       f(box_.get());
     });
   }
 
 private:
-  static constexpr double depth = 1.0, width = 2.0;
+  static constexpr double depth = 1.0, width = 2.0;  // m, of the box; more under a larger part
   static constexpr double margin = 0.2;  // m beyond the part, so it never touches an edge that isn't there
 
   // Makes the top of the box the ground from `begin` to `end`.
-  void put_box(const ground_strip& strip, double begin, double end, double y) const {
+  void put_box(const ground_strip& strip, double begin, double end, double y, double wide, double deep)
+      const {
     const auto [n, c] = math::sine_and_cosine(strip.pitch);
-    const double length = (end - begin) / c, along = length / 2, down = depth / 2;
-    dGeomBoxSetLengths(box_.get(), length, width, depth);
+    const double length = (end - begin) / c, along = length / 2, down = deep / 2;
+    dGeomBoxSetLengths(box_.get(), length, wide, deep);
     dGeomSetPosition(box_.get(), begin + along * c + down * n, y, strip.height(begin) + along * n - down * c);
     dMatrix3 rotation;
     dRFromAxisAndAngle(rotation, 0, -1, 0, strip.pitch);

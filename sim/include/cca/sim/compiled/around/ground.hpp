@@ -2,7 +2,8 @@
 //
 // A terrain is a row of strips (cca/sim/engine/terrain.hpp). The nearest point of a strip decides: above a
 // strip it is as deep as its centre is near, so a sphere rolls over the edge of a step; what is below the
-// surface of a strip is pushed up through it. The strip in which it is deepest counts.
+// surface of a strip is pushed up through it. The strip in which it is deepest counts. Beside the strip, the
+// wall of a step is touched: what has come into it goes back through it, if that way is shorter.
 #pragma once
 
 #include <limits>
@@ -53,6 +54,49 @@ struct ground_touch {
 
 constexpr double plain(double x) { return x; }
 
+// Of what is at this place how far the wall of a step at its height is, m: below 0 behind it.
+template <class Real>
+struct step_wall {
+  bool exists = false;
+  bool is_way_out = false;  // from behind it, shorter than up
+  Real before{};
+  triple<Real> normal{Real(1.0), Real(0.0), Real(0.0)};
+};
+// Steps rise or fall all along, so at one height all is free on one side of one wall.
+template <class Real>
+step_wall<Real> wall_at(const ground& g, const triple<Real>& at) {
+  step_wall<Real> w;
+  const ground_profile& p = g.profile;
+  if (p.rise == 0) return w;
+  const double x = plain(at[0]), z = plain(at[2]) - g.floor, n = math::floor(z / p.rise);
+  if (!(n >= 0 && n < static_cast<double>(p.count))) return w;
+  const Real past = at[0] - Real(p.start + n * p.run);
+  w.exists = true, w.before = p.rise > 0 ? Real(-1.0) * past : past;
+  w.normal[0] = Real(p.rise > 0 ? -1.0 : 1.0);
+  // What stands on a step within its edge is not behind the wall.
+  if (const double behind = -plain(w.before); behind >= 0)
+    w.is_way_out = behind + 2 * g.surface_layer < p.height(x) - z;
+  return w;
+}
+
+// The wall of a step touches a sphere or a corner beside what touches it from below.
+template <class Real>
+ground_touch<Real> touch_of_wall(const ground& g, const triple<Real>& at, double radius) {
+  ground_touch<Real> best;
+  if constexpr (is_in_lanes<Real>) {
+    for (int k = 0; k < Real::count; ++k) {
+      const auto one = touch_of_wall(g, triple<double>{at[0][k], at[1][k], at[2][k]}, radius);
+      best.depth.set(k, one.depth);
+      for (std::size_t r = 0; r < 3; ++r) best.normal[r].set(k, one.normal[r]);
+    }
+  } else {
+    best.depth = Real(-1.0);
+    const step_wall<Real> w = wall_at(g, at);
+    if (w.exists && (plain(w.before) > 0 || w.is_way_out)) best = {Real(radius) - w.before, w.normal};
+  }
+  return best;
+}
+
 // A sphere, or with radius 0 a corner, at this place in the world.
 template <class Real>
 ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radius) {
@@ -85,6 +129,7 @@ ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radi
       if (plain(beyond) == 0 || !(plain(above) > 0)) {
         t = {Real(radius) - above, {Real(-n), Real(0.0), Real(c)}};
         if (plain(beyond) != 0) return;  // below, and beside
+        if (g.profile.rise != 0 && wall_at(g, at).is_way_out) return;
       } else {
         const Real far = root(beyond * beyond + above * above), u = beyond / far, v = above / far;
         t = {Real(radius) - far, {Real(c) * u - Real(n) * v, Real(0.0), Real(n) * u + Real(c) * v}};

@@ -49,7 +49,8 @@ public:
   using shapes = shapes_in_step<R, Real>;
   using one = touch_in_step<Real>;
   static constexpr std::size_t on_edges = edge_touch<Real>::most * probes::long_shapes;
-  static constexpr std::size_t most = is_in_lanes<Real> ? most_contacts<Real>(probes::count + on_edges) : 32;
+  static constexpr std::size_t most =
+      is_in_lanes<Real> ? most_contacts<Real>(2 * probes::count + on_edges) : 32;  // a wall for each point
   static constexpr probe nothing{.link = -1, .shape = -1, .tip = 0, .at = {}, .radius = 0};
 
   std::size_t count = 0;
@@ -61,6 +62,7 @@ public:
       if (under.exists) {
         find_on_ground(step, under);
         if (probes::long_shapes > 0 && !under.profile.is_level()) find_on_edges(step, under);
+        if (under.profile.rise != 0) find_on_walls(step, under);
       }
   }
   // Of the robot's shapes with each other.
@@ -163,6 +165,21 @@ private:
       if (count == most) place->box = place->into = place->from = one::none;  // of the one that was there
       place->depth = t.depth, place->normal = t.normal, place->at = world - Real(p.radius) * t.normal;
       look_for_shallow();
+    }
+  }
+
+  void find_on_walls(const step_type& step, const ground& under) {
+    one t;
+    t.on_ground = true;
+    for (std::size_t i = 0; i < probes::count; ++i) {
+      const probe& p = probes::all[i];
+      const triple<Real> world =
+          step.base.at + step.base.direction(on_links<R, Real>::point(step.now.places, p.link, p.at));
+      const ground_touch<Real> on = touch_of_wall(under, world, p.radius);
+      if (everywhere(!(on.depth > Real(0.0)))) continue;
+      t.of = &p, t.key = -1 - static_cast<int>(edge_touch<Real>::most * probes::shape_count + i);
+      t.depth = on.depth, t.normal = on.normal, t.at = world - Real(p.radius) * on.normal;
+      add(t);
     }
   }
 
@@ -275,13 +292,15 @@ private:
     const double radius = around.balls.all[i].radius;
     one t;
     t.of = &nothing, t.into = static_cast<int>(i);
-    const ground_touch<Real> on = touch_of(around.under, at, radius);
-    if (on.depth > Real(0.0)) {
+    const auto on_ground = [&](const ground_touch<Real>& on, std::size_t feature) {
+      if (!(on.depth > Real(0.0))) return;
       t.on_ground = true, t.depth = on.depth, t.normal = on.normal, t.at = at - Real(radius) * on.normal;
-      t.key = key_of(ball_key(i), balls_at + i, 0);
+      t.key = key_of(ball_key(i), balls_at + i, feature);
       add(t);
       t.on_ground = false;
-    }
+    };
+    on_ground(touch_of(around.under, at, radius), 0);
+    if (around.under.profile.rise != 0) on_ground(touch_of_wall(around.under, at, radius), 1);
     for (std::size_t b = 0; b < around.boxes.count; ++b) {
       t.box = static_cast<int>(b), t.key = key_of(ball_key(i), b, 0);
       boxes[b].touch_sphere(

@@ -216,7 +216,8 @@ private:
     Real x = rows[K < base ? K : K - base];
     cca::detail::unrolled<static_cast<int>(K)>([&](auto a) {
       constexpr auto column = static_cast<std::size_t>(a());
-      x = x - own[column] * (column < base ? of_base[column] : rows[column - base]);
+      if constexpr (column < base) x = x - own[column] * of_base[column];
+      else x = x - own[column] * rows[column - base];
     });
     rows[K < base ? K : K - base] = x;
   }
