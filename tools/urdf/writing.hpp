@@ -231,7 +231,8 @@ private:
   std::size_t bodies_with_shapes() const {
     std::set<int> with;
     for (std::size_t i = 0; i < robot_.links.size(); ++i)
-      if (const int body = bodies_.place(static_cast<int>(i)).body; body >= 0 && !robot_.links[i].collisions.empty())
+      if (const int body = bodies_.place(static_cast<int>(i)).body;
+          body >= 0 && !robot_.links[i].collisions.empty())
         with.insert(body);
     return with.size();
   }

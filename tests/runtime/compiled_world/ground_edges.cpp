@@ -179,6 +179,120 @@ TEST_SUITE("compiled world: edges of the ground") {
     CHECK((w.frame(-1).where.at - Eigen::Vector3d(0, 0, 11 * rise)).norm() < 0.03);
   }
 
+  TEST_CASE_TEMPLATE("the wall of a step stops what slides into it", R, crate, roller) {
+    const double low = std::is_same_v<R, crate> ? 0.05 : 0.02, front = std::is_same_v<R, crate> ? 0.15 : 0.22;
+    for (const double turned : {0.0, 0.5}) {
+      const sim::scene around = ground_of(sim::terrain::steps(0.3, 10, 1, 0), 0.1);
+      sim::compiled_world<R> w(around);
+      sim::robot_world e(sim::model_of<R>(), around);
+      const auto where = cca::at(-0.4, 0, low) * cca::turned_about(cca::along_z, turned);
+      w.place({}, {}, where, {}, {1, 0, 0});
+      sim::moving_frame base;
+      base.where.at = Eigen::Vector3d(-0.4, 0, low);
+      base.where.turn = Eigen::AngleAxisd(turned, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      base.velocity = Eigen::Vector3d::UnitX();
+      const std::array<double, 1> rest{};
+      e.place(rest, rest, base);
+      double highest = 0, pressing = 0, farthest = -1;
+      for (int i = 0; i < 1500; ++i) {
+        w.advance({}), e.advance(std::array<sim::joint_law, 1>{});
+        highest = std::max(highest, w.frame(-1).where.at[2] - low);
+        farthest = std::max(farthest, w.frame(-1).where.at[0]);
+        pressing = std::max(pressing, w.contact(0).pressing);
+      }
+      MESSAGE("turned by ", turned, ": farthest ", farthest, " m, ", highest, " m up, apart from the engine ",
+              (w.frame(-1).where.at - e.frame(-1).where.at).norm());
+      CHECK(highest < 2e-3);
+      CHECK(pressing > 2 * mass * gravity);
+      if (turned == 0) CHECK(farthest == doctest::Approx(-front).epsilon(0.05));
+      CHECK(farthest < -0.02);
+      if (turned == 0) CHECK((w.frame(-1).where.at - e.frame(-1).where.at).norm() < 0.02);
+    }
+  }
+
+  TEST_CASE("a ball in the corner before a step touches floor and wall, and rolls no farther") {
+    sim::scene around = ground_of(sim::terrain::steps(0.3, 10, 1, 0));
+    around.add(sim::ball{.radius = 0.05, .mass = 0.2, .position = {-0.3, 0, 0.05}, .velocity = {1, 0, 0}});
+    sim::compiled_world<crate> w(around);
+    w.place({}, {}, cca::at(-5, 0, 0.05), {}, {});
+    double highest = 0, farthest = -1;
+    for (int i = 0; i < 800; ++i) {
+      w.advance({});
+      highest = std::max(highest, w.ball_position(0)[2]),
+      farthest = std::max(farthest, w.ball_position(0)[0]);
+    }
+    CHECK(farthest == doctest::Approx(-0.05).epsilon(0.06));
+    CHECK(highest < 0.07);  // its spin climbs the wall a little
+  }
+
+  TEST_CASE("what has come into the wall of a step goes back through it, what is in the top goes up") {
+    using sim::detail::touch_of, sim::detail::touch_of_wall;
+    for (const double rise : {0.3, -0.3}) {
+      const auto g = sim::detail::ground_of(ground_of(sim::terrain::steps(rise, 1, 3, 0)), {});
+      const double out = rise > 0 ? -1 : 1, high = std::max(rise, 0.0);  // of the first wall, at x = 0
+      for (const double radius : {0.0, 0.05}) {
+        const triple behind{-0.02 * out, 0, high - 0.1}, top{-0.02 * out, 0, high - 0.001},
+            before{(radius / 2 + 0.001) * out, 0, high - 0.1}, inside{-0.4 * out, 0, high - 0.1};
+        const auto wall = touch_of_wall(g, behind, radius);
+        CHECK(wall.depth == doctest::Approx(radius + 0.02));
+        CHECK(wall.normal[0] == out);
+        CHECK(touch_of(g, behind, radius).depth < 0);
+        CHECK(touch_of_wall(g, top, radius).depth < 0);
+        CHECK(touch_of(g, top, radius).depth == doctest::Approx(radius + 0.001));
+        CHECK(touch_of_wall(g, before, radius).depth == doctest::Approx(radius / 2 - 0.001));
+        CHECK(touch_of_wall(g, inside, radius).depth < 0);
+        CHECK(touch_of(g, inside, radius).depth == doctest::Approx(radius + 0.1));
+        // Above the edge and below the floor there is no wall; nor on a slope.
+        CHECK(touch_of_wall(g, {0.01 * out, 0, high + 0.01}, radius).depth < 0);
+        CHECK(touch_of_wall(g, {0.01 * out, 0, high - 0.31}, radius).depth < 0.1);
+      }
+    }
+    const auto slope = sim::detail::ground_of(ground_of(sim::terrain::slope(-0.5, 0)), {});
+    CHECK(touch_of_wall(slope, triple{0.01, 0, -0.1}, 0.05).depth < 0);
+  }
+
+  TEST_CASE_TEMPLATE("thrown at a step nothing is thrown back up", R, crate, roller) {
+    laws::source random{};
+    for (int i = 0; i < 40; ++i) {
+      const double rise = i % 2 == 0 ? -0.15 : 0.15;
+      const sim::scene around = ground_of(sim::terrain::steps(rise, 10, 1, 0), 0.7);
+      sim::compiled_world<R> w(around);
+      cca::placement p = random_place(random);
+      p.translation = {random(-0.3, 0.3), 0, std::max(0.0, rise) + 0.3};
+      w.place({}, {}, p, {}, {random(-1, 1), random(-1, 1), 0});
+      double last = w.energy(), most = 0;
+      for (int beat = 0; beat < 1500; ++beat) {
+        w.advance({});
+        most = std::max(most, w.energy() - last), last = w.energy();
+      }
+      REQUIRE(!w.trouble());
+      CAPTURE(i);
+      // In a beat: what the springs of contacts give back.
+      CHECK(most < 0.5);
+    }
+  }
+
+  TEST_CASE("the engine's ground reaches as far as what lies on it") {
+    struct plank : sledge {  // 5 m along y
+      static constexpr std::array shapes{robots::on_base(robots::box(0.3, 5, 0.1))};
+    };
+    sim::robot_world e(sim::model_of<plank>(), ground_of(sim::terrain::steps(-0.05, 10, 1, 3)));
+    sim::moving_frame base;
+    base.where.turn = Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    base.where.at = Eigen::Vector3d(0, 0, 2.5 * std::sin(0.6) + 0.06);
+    const std::array<double, 1> rest{};
+    e.place(rest, rest, base);
+    double lowest = 0;
+    for (int i = 0; i < 600; ++i) {
+      e.advance(std::array<sim::joint_law, 1>{});
+      for (const double end : {-2.5, 2.5}) {
+        const auto& where = e.frame(-1).where;
+        lowest = std::min(lowest, (where.at + where.turn * Eigen::Vector3d(0, end, -0.05))[2]);
+      }
+    }
+    CHECK(lowest > -0.02);
+  }
+
   TEST_CASE_TEMPLATE("each lane has the bits of a world alone", R, crate, roller) {
     using both = sim::lanes<2>;
     const sim::scene around = ground_of(sim::terrain::steps(-0.05, 0.15, 20, 0));

@@ -68,6 +68,31 @@ struct hugging {
       robots::at_tip("right", robots::sphere(0.04)),
   };
 };
+// Two bars on slides along y that turn about x.
+template <int Side, class Hand, class Axes>
+struct bar_chain : cca::serial_chain<trunk_frame, Hand, Axes> {
+  static constexpr std::array joints{cca::prismatic(cca::along_y, cca::at(0, 0.2 * Side - 0.1, 0)),
+                                     cca::revolute(cca::along_x)};
+  static constexpr auto tip = cca::at(0, 0, 0);
+  static constexpr std::array links{cca::link_inertia{0.2, {0, 0, 0}, {1e-4, 1e-4, 1e-4, 0, 0, 0}},
+                                    cca::link_inertia{0.5, {0, 0, 0}, {2e-3, 2e-3, 5e-4, 0, 0, 0}}};
+};
+struct two_bars : hugging {
+  using left = bar_chain<0, left_hand, cca::axes<left_shoulder, left_elbow>>;
+  using right = bar_chain<1, right_hand, cca::axes<right_shoulder, right_elbow>>;
+  struct body : cca::body<trunk_frame, cca::part<"left", left>, cca::part<"right", right>> {
+    static constexpr cca::link_inertia base = hugging::body::base;
+  };
+  using sensors = robots::sensors<>;
+  static constexpr auto drives = [] {
+    std::array<robots::joint_drive, 4> all{};
+    for (auto& d : all) d.motor = {50, 50}, d.stops = false;
+    return all;
+  }();
+  static constexpr std::array shapes{robots::on_base(robots::sphere(0.01)),
+                                     robots::on_link("left", 1, robots::capsule(0.03, 0.2)),
+                                     robots::on_link("right", 1, robots::capsule(0.03, 0.2))};
+};
 struct shy : hugging {
   static constexpr bool touches_itself = false;
 };
@@ -227,6 +252,78 @@ TEST_SUITE("compiled world: a robot that touches itself") {
     CHECK(most_energy < 1.02);
     CHECK(touched > 300);
     CHECK(differs > 20);
+  }
+
+  TEST_CASE("capsules that are pressed together rest side by side, as in the engine") {
+    sim::scene space;
+    space.contact.friction = 0;
+    sim::compiled_world<two_bars> w(space, weightless(2));
+    sim::robot_world e(sim::model_of<two_bars>(), space, weightless(2));
+    const numbers<two_bars> q{0.02, 0.2, -0.02, -0.2};
+    w.place(q, {}, {}, {}, {});
+    e.place(q, numbers<two_bars>{}, sim::moving_frame{});
+    const auto pressed = [](const auto& world) {
+      std::array<sim::joint_law, 4> all{};
+      const std::array<double, 4> torque{5, 0.3, -5, 0}, damping{5, 0.05, 5, 0.05};
+      for (std::size_t c = 0; c < 4; ++c) all[c].torque = torque[c] - damping[c] * world.joints()[c].velocity;
+      return all;
+    };
+    for (int i = 0; i < 3000; ++i) w.advance(pressed(w)), e.advance(pressed(e));
+    for (std::size_t c = 0; c < 4; ++c) {
+      CHECK(std::abs(w.joints()[c].velocity) < 1e-6);
+      CHECK(std::abs(w.joints()[c].angle - e.joints()[c].angle) < 1e-3);
+    }
+    MESSAGE("pressing ", w.contact(1).pressing, " N, in the engine ", e.contact(1).pressing);
+    CHECK(w.contact(1).contacts == 2);
+    CHECK(w.contact(1).pressing == doctest::Approx(e.contact(1).pressing).epsilon(1e-3));
+  }
+
+  TEST_CASE("capsules that begin with their lines crossing are pushed apart, across both") {
+    using triple = sim::detail::triple<double>;
+    sim::compiled_world<two_bars> w(sim::scene{}, weightless(2));
+    w.place({0.1, 0.6, -0.1, -0.6}, {}, {}, {}, {});
+    for (int i = 0; i < 100; ++i) w.advance({});
+    CHECK(w.contact(1).pressing > 100);
+    CHECK(w.energy() < 1e-12);  // nothing moves that way
+    const auto judge = [](const triple& a, const triple& b) {
+      const triple n = sim::detail::across_lines(a, b);
+      CHECK(sim::detail::dot(n, n) == doctest::Approx(1));
+      CHECK(std::abs(sim::detail::dot(n, a)) + std::abs(sim::detail::dot(n, b)) < 1e-12);
+    };
+    judge({1, 0, 0}, {0, 2, 0}), judge({1, 2, 3}, {1, 2, 3}), judge({0, 0, 1}, {0, 0, -2});
+    judge({0, 3, 0}, {}), judge({}, {2, 0, 0}), judge({}, {});
+  }
+
+  TEST_CASE("the ends of what two lines have in common") {
+    using triple = sim::detail::triple<double>;
+    laws::source random{};
+    for (int i = 0; i < 1000; ++i) {
+      const auto drawn = [&](double size) {
+        return triple{random(-size, size), random(-size, size), random(-size, size)};
+      };
+      const triple m = drawn(1), h = drawn(1), o = drawn(1), k = drawn(1);
+      const auto nearest = sim::detail::nearest_of_lines(m, h, o, k),
+                 last = sim::detail::last_of_lines(m, h, o, k),
+                 turned = sim::detail::last_of_lines(m, h, o, -1.0 * k);
+      const auto far = [](const auto& p) {
+        const triple off = p.there - p.here;
+        return sim::detail::dot(off, off);
+      };
+      CHECK(far(last) >= far(nearest) - 1e-12);
+      CHECK(far(last) == doctest::Approx(far(turned)));
+      // Each is on its line, and one of them is an end.
+      const auto share = [](const triple& p, const triple& middle, const triple& half) {
+        const double s = sim::detail::dot(p - middle, half) / sim::detail::dot(half, half);
+        const triple off = p - middle - s * half;
+        CHECK(sim::detail::dot(off, off) < 1e-20);
+        CHECK(std::abs(s) < 1 + 1e-12);
+        return std::abs(s);
+      };
+      CHECK(std::max(share(last.here, m, h), share(last.there, o, k)) == doctest::Approx(1));
+    }
+    const auto both = sim::detail::last_of_lines<double>({0, 0, 0}, {1, 0, 0}, {1.5, 1, 0}, {-1, 0, 0});
+    CHECK(both.here[0] == 1);
+    CHECK(both.there[0] == 1);
   }
 
   TEST_CASE("copies go on bit for bit, and worlds in lanes refuse") {

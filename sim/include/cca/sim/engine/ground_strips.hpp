@@ -42,8 +42,8 @@ private:
   static constexpr double margin = 0.2;  // m beyond the part, so it never touches an edge that isn't there
 
   // Makes the top of the box the ground from `begin` to `end`.
-  void put_box(const ground_strip& strip, double begin, double end, double y, double wide, double deep)
-      const {
+  void put_box(
+      const ground_strip& strip, double begin, double end, double y, double wide, double deep) const {
     const auto [n, c] = math::sine_and_cosine(strip.pitch);
     const double length = (end - begin) / c, along = length / 2, down = deep / 2;
     dGeomBoxSetLengths(box_.get(), length, wide, deep);

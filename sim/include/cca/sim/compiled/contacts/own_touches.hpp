@@ -1,6 +1,7 @@
 // Where two shapes of a robot touch each other, in the middle of a step of a compiled world.
 //
-// A sphere or a capsule touches another one with their nearest points, a box as what stands around the robot
+// A sphere or a capsule touches another one with their nearest points, two capsules also with both ends of
+// what they have in common, so that they rest side by side; a box as what stands around the robot
 // (box_form.hpp, box_on_box.hpp).
 #pragma once
 
@@ -18,6 +19,8 @@ template <class R, class Real>
 struct own_touches {
   using probes = probes_of<R>;
   using shapes = shapes_in_step<R, Real>;
+
+  static constexpr double side_by_side = 1e-3;  // of both radii, CHOSEN: as deep at the ends as between
 
   // `touches(first, second, feature, depth, at, normal)`: shapes of the pair; the normal points into the
   // second one. If only one of them is a box, that is the first one.
@@ -42,12 +45,29 @@ struct own_touches {
       const triple<Real> half = shapes::half(step, b);
       return box.touch_capsule(to - half, to + half, radius, found);
     }
-    const auto [here, there] = nearest_of_lines(from, shapes::half(step, a), to, shapes::half(step, b));
-    const triple<Real> way = there - here;
-    const Real apart = root(dot(way, way)), depth = radius + Real(a.form.size[0]) - apart;
-    if (!(depth > Real(0.0)) || !(apart > Real(0.0))) return;
-    const triple<Real> normal = (Real(1.0) / apart) * way;
-    found(0, depth, there - radius * normal, normal);
+    const triple<Real> half = shapes::half(step, a), other_half = shapes::half(step, b);
+    const Real zero(0.0), both = radius + Real(a.form.size[0]);
+    const auto depth_of = [&](const nearest_points<Real>& p) {
+      const triple<Real> way = p.there - p.here;
+      return both - root(dot(way, way));
+    };
+    const auto touch = [&](int feature, const nearest_points<Real>& p, const Real& depth) {
+      if (!(depth > zero)) return;
+      const Real apart = both - depth;
+      const triple<Real> normal =
+          apart > zero ? (Real(1.0) / apart) * (p.there - p.here) : across_lines(half, other_half);
+      found(feature, depth, p.there - radius * normal, normal);
+    };
+    const nearest_points<Real> nearest = nearest_of_lines(from, half, to, other_half);
+    const Real deepest = depth_of(nearest);
+    if (!(deepest > zero)) return;
+    if (a.form.kind == kind::sphere || b.form.kind == kind::sphere) return touch(0, nearest, deepest);
+    const nearest_points<Real> last = last_of_lines(from, half, to, other_half),
+                               first_one = last_of_lines(from, Real(-1.0) * half, to, other_half);
+    const Real at_last = depth_of(last), at_first = depth_of(first_one), most = larger(at_last, at_first);
+    touch(1, last, at_last), touch(2, first_one, at_first);
+    // Side by side the place between them is anywhere.
+    if (!(most > zero) || deepest > most + Real(side_by_side) * both) touch(0, nearest, deepest);
   }
 };
 

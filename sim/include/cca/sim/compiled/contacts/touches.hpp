@@ -11,6 +11,7 @@
 
 #include <cca/sim/compiled/around/box_on_box.hpp>
 #include <cca/sim/compiled/around/ground_edges.hpp>
+#include <cca/sim/compiled/around/nearest_of_lines.hpp>
 #include <cca/sim/compiled/around/surroundings.hpp>
 #include <cca/sim/compiled/contacts/contact_solver.hpp>
 #include <cca/sim/compiled/contacts/own_touches.hpp>
@@ -105,7 +106,7 @@ private:
   }
 
   // Numbers of things, for keys: robot's shapes and balls with boxes and balls. Smaller keys are points on
-  // the ground, and negative ones edges of it.
+  // the ground, and negative ones its edges and walls.
   static constexpr std::size_t features = 8, balls_at = boxes_around::most,
                                things = balls_at + balls_around::most, beyond_ground = 1 << 20;
   static constexpr int key_of(std::size_t first, std::size_t second, std::size_t feature) {
@@ -270,8 +271,9 @@ private:
         const Real way = between(-half_length, dot(off, frame.axes[2]), half_length);
         const triple<Real> line = off - way * frame.axes[2];
         const Real far = root(dot(line, line));
-        if (!(far > Real(0.0))) continue;
-        out = (Real(1.0) / far) * line, apart = far - radius;
+        if (far > Real(0.0)) out = (Real(1.0) / far) * line;
+        else out = across_lines(frame.axes[2], {});
+        apart = far - radius;
       }
       t.depth = of_ball - apart;
       if (!(t.depth > Real(0.0))) continue;
@@ -315,8 +317,9 @@ private:
       const triple<Real> off = at - now.balls[k].at;
       const Real far = root(dot(off, off));
       t.depth = Real(radius + around.balls.all[k].radius) - far;
-      if (!(t.depth > Real(0.0)) || !(far > Real(0.0))) continue;
-      t.normal = (Real(1.0) / far) * off, t.at = at - Real(radius) * t.normal;
+      if (!(t.depth > Real(0.0))) continue;
+      t.normal = far > Real(0.0) ? (Real(1.0) / far) * off : across_lines<Real>({}, {});
+      t.at = at - Real(radius) * t.normal;
       t.from = static_cast<int>(k), t.key = key_of(ball_key(i), balls_at + k, 0);
       add(t);
       t.from = one::none;
