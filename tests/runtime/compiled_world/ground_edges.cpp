@@ -35,6 +35,10 @@ auto put(const sim::scene& s, const cca::placement& where) {
   return w;
 }
 
+struct plank : sledge {  // 5 m along y
+  static constexpr std::array shapes{robots::on_base(robots::box(0.3, 5, 0.1))};
+};
+
 using triple = sim::detail::triple<double>;
 
 // The least depth over all directions between two angles.
@@ -243,8 +247,8 @@ TEST_SUITE("compiled world: edges of the ground") {
         CHECK(touch_of_wall(g, inside, radius).depth < 0);
         CHECK(touch_of(g, inside, radius).depth == doctest::Approx(radius + 0.1));
         // Above the edge and below the floor there is no wall; nor on a slope.
-        CHECK(touch_of_wall(g, {0.01 * out, 0, high + 0.01}, radius).depth < 0);
-        CHECK(touch_of_wall(g, {0.01 * out, 0, high - 0.31}, radius).depth < 0.1);
+        CHECK(touch_of_wall(g, triple{0.01 * out, 0, high + 0.01}, radius).depth < 0);
+        CHECK(touch_of_wall(g, triple{0.01 * out, 0, high - 0.31}, radius).depth < 0.1);
       }
     }
     const auto slope = sim::detail::ground_of(ground_of(sim::terrain::slope(-0.5, 0)), {});
@@ -273,9 +277,6 @@ TEST_SUITE("compiled world: edges of the ground") {
   }
 
   TEST_CASE("the engine's ground reaches as far as what lies on it") {
-    struct plank : sledge {  // 5 m along y
-      static constexpr std::array shapes{robots::on_base(robots::box(0.3, 5, 0.1))};
-    };
     sim::robot_world e(sim::model_of<plank>(), ground_of(sim::terrain::steps(-0.05, 10, 1, 3)));
     sim::moving_frame base;
     base.where.turn = Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()).toRotationMatrix();

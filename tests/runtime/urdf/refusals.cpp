@@ -338,6 +338,26 @@ TEST_SUITE("refusals") {
         "joint 'wrist': it follows a joint that is fixed, so it is fixed at 1");
   }
 
+  TEST_CASE("a robot that touches itself") {
+    const std::string shape = "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision>",
+                      flag = "touches_itself = true;", one = "fewer than two bodies have a shape";
+    const std::string both = [&] {
+      std::string text = with("<link name=\"base\"/>", "<link name=\"base\">" + shape + "</link>");
+      return text.insert(text.find("<link name=\"arm\">") + 17, shape);
+    }();
+    cca_urdf::options touches;
+    touches.header.touches_itself = true;
+    const auto made = convert(both, touches);
+    has(made.header, flag);
+    has(made.header, "// By --touches-itself:");
+    CHECK(made.said.empty());
+    const auto without = convert(both, {});
+    CHECK(without.header.find(flag) == without.header.npos);
+    has(without.header, "--touches-itself was not given");
+    has(said(good, touches), one);
+    CHECK(convert(good, {}).header.find("touches-itself") == std::string::npos);
+  }
+
   TEST_CASE("types of joints") {
     refused(with("revolute", "ball"), "f:5: error: joint 'shoulder': the type 'ball' is unknown");
     refused(with("revolute", "planar"), "f:5: error: joint 'shoulder': a planar joint can't be represented");
