@@ -255,27 +255,6 @@ TEST_SUITE("compiled world: edges of the ground") {
     CHECK(touch_of_wall(slope, triple{0.01, 0, -0.1}, 0.05).depth < 0);
   }
 
-  TEST_CASE_TEMPLATE("thrown at a step nothing is thrown back up", R, crate, roller) {
-    laws::source random{};
-    for (int i = 0; i < 40; ++i) {
-      const double rise = i % 2 == 0 ? -0.15 : 0.15;
-      const sim::scene around = ground_of(sim::terrain::steps(rise, 10, 1, 0), 0.7);
-      sim::compiled_world<R> w(around);
-      cca::placement p = random_place(random);
-      p.translation = {random(-0.3, 0.3), 0, std::max(0.0, rise) + 0.3};
-      w.place({}, {}, p, {}, {random(-1, 1), random(-1, 1), 0});
-      double last = w.energy(), most = 0;
-      for (int beat = 0; beat < 1500; ++beat) {
-        w.advance({});
-        most = std::max(most, w.energy() - last), last = w.energy();
-      }
-      REQUIRE(!w.trouble());
-      CAPTURE(i);
-      // In a beat: what the springs of contacts give back.
-      CHECK(most < 0.5);
-    }
-  }
-
   TEST_CASE("the engine's ground reaches as far as what lies on it") {
     sim::robot_world e(sim::model_of<plank>(), ground_of(sim::terrain::steps(-0.05, 10, 1, 3)));
     sim::moving_frame base;
