@@ -128,7 +128,7 @@ public:
   // Empty: its own work.
   const std::function<int()>& work_instead() const { return other_work; }
 
-  // Words without an option, at most so many.
+  // Words without an option, at most so many; a number below 0 is one, too.
   void words(std::string_view names,
              std::vector<std::string>& into,
              std::size_t most,

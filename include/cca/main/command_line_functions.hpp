@@ -23,6 +23,14 @@ namespace detail {
 
 struct option_words : CLI::App {};
 
+// `-3`, `-.5`, `-30deg`: no option begins so, and CLI11 would take it for one.
+inline bool is_below_zero(std::string_view word) {
+  constexpr std::string_view digits = "0123456789";
+  if (!word.starts_with('-')) return false;
+  word.remove_prefix(word.starts_with("-.") ? 2 : 1);
+  return !word.empty() && digits.find(word.front()) != digits.npos;
+}
+
 }  // namespace detail
 
 CCA_MAIN_INLINE double number_in(const std::string& option,
@@ -142,7 +150,7 @@ CCA_MAIN_INLINE void command_line::parse(std::vector<std::string> arguments) {
                              (is_missing ? ": expected a value after it" : ": it stands there twice"));
   } catch (const CLI::ParseError& wrong) { throw command_line_error(wrong.what()); }
   for (const std::string& left : app->remaining()) {
-    const bool is_option = left.starts_with("-");
+    const bool is_option = left.starts_with("-") && !detail::is_below_zero(left);
     if (is_option || !free_words) throw command_line_error(left + ": no such option; --help lists them");
     if (free_words->size() == most_words)
       throw command_line_error(left + ": expected at most " + std::to_string(most_words) +

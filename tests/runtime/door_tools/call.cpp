@@ -66,7 +66,11 @@ TEST_CASE("set changes all at once, or says why not, and gives the right to comm
   CHECK_EQ(call(p.address(), {"get", "gait.steps"}).out, "gait.steps 3\n");
   CHECK_EQ(call(p.address(), {"set", "gait.steps", "many"}).code, 2);
   CHECK_EQ(call(p.address(), {"set", "gait.steps"}).err, "cca-call: gait.steps: expected a value after it\n");
-  CHECK_EQ(call(p.address(), {"set", "gait.frequency=-1"}).code, 2);
+  for (const words& below : {words{"set", "gait.frequency=-1"}, {"set", "gait.frequency", "-1"}}) {
+    const ran refused = call(p.address(), below);
+    CHECK_EQ(refused.code, 2);
+    CHECK_EQ(refused.err, "cca-call: gait.frequency = -1: expected a number from 0.1 to 5 Hz\n");
+  }
 
   p.controls.fake.answers(how::refused);
   const ran refused = call(p.address(), {"set", "gait.frequency", "1"});
@@ -260,5 +264,9 @@ TEST_CASE("a wrong command line is refused before anything is connected") {
   }
   CHECK_EQ(running(CCA_CALL, {"8765", "puse"}).end().err,
            "cca-call: there is no command `puse`, did you mean `pause`?\n");
+  CHECK_EQ(running(CCA_CALL, {"8765", "step", "-3"}).end().err,
+           "cca-call: step -3: expected a whole number from 1 to 1000000\n");
+  CHECK_EQ(running(CCA_CALL, {"8765", "speed", "-1"}).end().err,
+           "cca-call: speed -1: expected a number from 0 to 1000\n");
   CHECK_NE(running(CCA_CALL, {"--help"}).end().out.find("set NAME VALUE ..."), std::string::npos);
 }

@@ -113,6 +113,17 @@ TEST_SUITE("command line") {
     CHECK_EQ(refusal({"a", "b", "c"}), "c: expected at most 2 words; see --help");
   }
 
+  TEST_CASE("a number below 0 is a word, where words are expected, and never an option") {
+    CHECK_EQ(parse({"-3", "--quiet", "-.5"}).files, std::vector<std::string>{"-3", "-.5"});
+    CHECK_EQ(parse({"-30deg", "x=-1"}).files, std::vector<std::string>{"-30deg", "x=-1"});
+    CHECK_EQ(refusal({"a", "b", "-3"}), "-3: expected at most 2 words; see --help");
+    for (const char* wrong : {"-", "-.", "-x", "-x3", "--3"})
+      CHECK_EQ(refusal({wrong}), wrong + std::string(": no such option; --help lists them"));
+    cca::command_line no_words("walks");
+    CHECK_THROWS_WITH_AS(no_words.parse({"-3"}), "-3: no such option; --help lists them",
+                         cca::command_line_error);
+  }
+
   TEST_CASE("the earlier order of a whole number's greatest value and its help is still read") {
     cca::command_line line("walks");
     int node = 5;

@@ -230,7 +230,7 @@ inline void command(conversation& door, const call_options& o, std::ostream& err
   door.call("/cca/release/" + name);
 }
 
-// The commands that are one call of a service.
+// The commands that are one call of a service; of any other its name, which nobody calls.
 inline std::pair<std::string, json> service_of(const call_options& o) {
   const auto& w = o.words;
   const auto word = [&](std::size_t i) { return i < w.size() ? w[i] : std::string(); };
@@ -257,6 +257,7 @@ inline std::pair<std::string, json> service_of(const call_options& o) {
 inline int run_call(call_options& o, std::ostream& out, std::ostream& error) {
   o.split();
   const std::string token = o.token.value();
+  const auto [service, arguments] = service_of(o);  // before it connects: what is wrong is refused first
   const cca::interruption signals;
   const std::string& c = o.command;
   try {
@@ -269,15 +270,12 @@ inline int run_call(call_options& o, std::ostream& out, std::ostream& error) {
     else if (c == "watch") watch(door, o, out, error);
     else if (c == "command") command(door, o, error);
     else if (c == "test") test(door, o, out);
-    else {
-      const auto [service, arguments] = service_of(o);
-      if (c == "stop" && o.words.empty()) {  // whoever commands
-        door.need_token("to stop the run");
-        door.call(service, arguments);
-      } else {
-        const command_right mine(door);
-        door.call(service, arguments);
-      }
+    else if (c == "stop" && o.words.empty()) {  // whoever commands
+      door.need_token("to stop the run");
+      door.call(service, arguments);
+    } else {
+      const command_right mine(door);
+      door.call(service, arguments);
     }
     door.end();
     return cca::exit_code::done;
