@@ -1,5 +1,5 @@
-// A test of an input from the page, at the program of docs/tuning.md: a chirp and its curves, one that is ended, a step, and
-// what is refused.
+// A test of an input from the page, at the program of docs/tuning.md: a chirp and its curves, one that is ended, a step, what is
+// refused; and the axes of a program that has several.
 import { mkdirSync, rmSync } from 'node:fs';
 
 import { freePort, run } from './check_door.mjs';
@@ -13,7 +13,7 @@ export async function checkInputTest(tools) {
   mkdirSync(folder, { recursive: true });
   const port = await freePort();
   const program = await run({ program: options.tuning }, port, token, folder);
-  const visit = async (size) => {
+  const visitAt = async (port, size) => {
     const page = await browser.newPage();
     page.setDefaultTimeout(60_000);
     page.on('console', (m) => { if (['error', 'warn'].includes(m.type())) complaints.push(`test of an input: ${m.type()}: ${m.text()}`); });
@@ -23,6 +23,7 @@ export async function checkInputTest(tools) {
     await page.waitForSelector('#tests form');
     return page;
   };
+  const visit = (size) => visitAt(port, size);
   const says = (page, id, expected) => page.waitForFunction((i, e) => new RegExp(e).test(document.getElementById(i).textContent), { timeout: 30_000 }, id, expected).then(() => true, () => false);
   const enter = (page, values) => page.$eval('#tests form', (form, all) => {
     for (const [name, value] of Object.entries(all)) {
@@ -120,6 +121,55 @@ export async function checkInputTest(tools) {
   page = await visit({ width: 1280, height: 900 });
   const off = await becomes(page, 'off');
   check('test of an input: it ends with the page that began it', onPhone && off && await says(page, 'log', 'ends the test of servo.reference'), [await signal(page), await text(page, '#log')]);
+  await page.close();
+  program.kill('SIGKILL');
+  await severalAxes(tools, { folder, visitAt, enter, begin, answers, curves, range });
+}
+
+// Two joints of 20 ms, one driven by the other: page/two_joints.cpp.
+async function severalAxes(tools, { folder, visitAt, enter, begin, answers, curves, range }) {
+  const { options, check, picture, press, accessible } = tools;
+  const port = await freePort();
+  const program = await run({ program: options['two-joints'] }, port, token, folder);
+  const page = await visitAt(port, { width: 1280, height: 900 });
+  const offered = (name) => page.$eval(`#tests [name=${name}]`, (e) => ({ shown: e.getBoundingClientRect().width > 0, names: [...e.options].map((o) => o.text), chosen: e.selectedOptions[0]?.text }));
+  const axes = async () => Object.fromEntries(await Promise.all(['axis', 'output_axis', 'from_axis'].map(async (name) => [name, await offered(name)])));
+  const is = (one, chosen) => one.shown && one.names.join() === 'hip,knee' && one.chosen === chosen;
+  await enter(page, { output: 'leg.angles' });
+  let now = await axes();
+  check('test of an input: axes are asked for where there are several', is(now.axis, 'hip') && is(now.output_axis, 'hip') && !now.from_axis.shown, now);
+  check('test of an input: the response can be from any output', (await offered('from')).names.join() === 'the signal,rest.angles,limits.safe,leg.angles,leg.knee', await offered('from'));
+  await enter(page, { axis: 1, from: 'limits.safe' });
+  now = await axes();
+  check('test of an input: the axis of the input is the first choice for the others', is(now.output_axis, 'knee') && is(now.from_axis, 'knee'), now);
+  await enter(page, { axis: 0, output: 'leg.knee' });
+  now = await axes();
+  check('test of an input: no axis is asked for of an output that has one', !now.output_axis.shown && is(now.from_axis, 'hip'), now);
+  await enter(page, { signal: 'step' });
+  check('test of an input: the response to a step is that to the signal', !(await offered('from')).shown && !(await offered('from_axis')).shown, await offered('from'));
+
+  await press(page, '#command');
+  await page.waitForFunction(() => !document.querySelector('#tests form button').disabled);
+  // Gain in dB at 2 and at 20 Hz, by the number of joints between.
+  const expected = [0, 1, 2].map((joints) => [20, 2].map((hz) => -20 * joints * Math.log10(Math.hypot(1, 2 * Math.PI * hz * 0.02))));
+  for (const [name, values, joints] of [
+    ['from the signal at one axis to another', { output: 'leg.angles', output_axis: 1, from: '' }, 2],
+    ['from one axis to another of an output', { output: 'leg.angles', output_axis: 1, from: 'leg.angles', from_axis: 0 }, 1],
+    ['from the output to itself', { output: 'leg.knee', from: 'leg.angles', from_axis: 1 }, 0],
+  ]) {
+    // The axes after what they are of.
+    await enter(page, { signal: 'chirp', axis: 0, amplitude: 0.2, frequency: 2, to: 20, duration: 5, output: values.output, from: values.from });
+    await enter(page, values);
+    await page.$eval('#tests .answer', (e) => e.replaceChildren());
+    await begin(page);
+    await answers(page, 3);
+    const gain = range((await curves(page))[0]);
+    check(`test of an input: ${name}`, gain.length === 2 && gain.every((v, i) => Math.abs(v - expected[joints][i]) < 0.7), { gain, expected: expected[joints] });
+    if (joints === 1) {
+      await accessible(page, 'test of an input, several axes');
+      await picture(page, 'input-test-axes');
+    }
+  }
   await page.close();
   program.kill('SIGKILL');
 }

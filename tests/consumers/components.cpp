@@ -1,11 +1,17 @@
 // A user's program with all components: has the main function for robots, reads a parameter from a file,
 // joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory,
-// makes runs on all ranks, opens a door.
+// makes runs on all ranks, opens a door, which serves the page of cca.
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
+#include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -59,6 +65,26 @@ struct nothing_to_show : cca::detail::door_controls {
 
 struct alone : cca::deployment<moving, cca::environment<"all", cca::other_nodes>> {};
 
+// What a browser gets at http://127.0.0.1:PORT/ is the page of cca.
+bool serves_page(std::uint16_t port) {
+  const int file = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in to{};
+  to.sin_family = AF_INET, to.sin_port = htons(port), to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::string answer;
+  if (::connect(file, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0) {
+    const std::string ask = "GET / HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\n\r\n";
+    std::array<char, 1 << 16> some;
+    for (auto size = ::write(file, ask.data(), ask.size()); size > 0;) {
+      size = ::read(file, some.data(), some.size());
+      if (size > 0) answer.append(some.data(), static_cast<std::size_t>(size));
+    }
+  }
+  ::close(file);
+  std::ifstream known(cca::door_settings{}.page, std::ios::binary);
+  const std::string page{std::istreambuf_iterator<char>(known), {}};
+  return page.find("<!-- the recording -->") != page.npos && answer.ends_with("\r\n\r\n" + page);
+}
+
 static_assert(cca::robots::oncilla::leg_axes::count == 8);
 
 int main(int count, char** words) {
@@ -88,7 +114,7 @@ int main(int count, char** words) {
   std::array<cca::hardware::received_frame, 4> heard;
   const auto twice = all.rollouts(3, [](std::size_t i) { return 2 * i; });
   return twice.back() == 4 && c.get<"joint">().at == 0.25 && d.beat_index() == 10 && world.mass() > 5 &&
-                 door.port() > 0 && wire.end(1).receive(heard) == 1
+                 serves_page(door.port()) && wire.end(1).receive(heard) == 1
              ? 0
              : 1;
 }

@@ -18,7 +18,7 @@ released = repository / "page/recording.html"
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--write"]):
+    if len(sys.argv) not in (2, 3) or sys.argv[1].startswith("-") or sys.argv[2:] not in ([], ["--write"]):
         sys.exit(__doc__)
     for program in ("node", "npm"):
         if not shutil.which(program):

@@ -13,12 +13,18 @@ export function inputTest(panel, tests) {
   if (tests.length === 0) return [];
   const { door } = panel;
   const options = (names) => names.map((text) => new Option(text, text));
+  const choice = (name, ariaLabel = '') => make('select', { name, className: 'changes', ...(ariaLabel && { ariaLabel }) });
   const labelled = (text, control, unit = '') => make('label', {}, `${text} `, control, unit ? ` ${unit}` : '');
   const number = (name, value, lower, upper, step = 'any') => make('input', { type: 'number', name, value, min: lower, max: upper, step, required: true, className: 'changes' });
-  const input = make('select', { name: 'input', className: 'changes' }, ...options(tests.map((t) => t.input)));
-  const signal = make('select', { name: 'signal', className: 'changes' }, ...options(signals));
+  const input = choice('input'), signal = choice('signal'), axis = choice('axis', 'axis of the input');
+  input.append(...options(tests.map((t) => t.input)));
+  signal.append(...options(signals));
   const outputs = door.description.outputs.map((o) => o.path).filter((path) => !path.includes('test_'));
-  const output = make('select', { name: 'output', className: 'changes' }, ...options(outputs));
+  // Gain and phase are those to `output` from the signal itself, or from another output.
+  const output = choice('output'), outputAxis = choice('output_axis', 'axis of the output');
+  const from = choice('from', 'response from'), fromAxis = choice('from_axis', 'axis of what it is the response from');
+  output.append(...options(outputs));
+  from.append(new Option('the signal', ''), ...options(outputs));
   const amplitude = make('input', { type: 'range', name: 'amplitude', className: 'changes' }), shown = make('output');
   const of = () => tests.find((t) => t.input === input.value);
   const show = () => { shown.textContent = `${Number(amplitude.value).toPrecision(3)} ${of().unit}`; };
@@ -29,36 +35,50 @@ export function inputTest(panel, tests) {
       && all[w.from].fields[0]?.unit === test.unit && outputs.includes(all[w.from].path));
     if (found) output.value = all[found.from].path;
   };
+  // An axis is asked for where there are several.
+  const offer = (select, names) => {
+    select.replaceChildren(...names.map((name, i) => new Option(name, i)));
+    select.parentElement.toggleAttribute('hidden', names.length < 2);
+  };
+  // As many from the first as the axis of the input.
+  const offerPort = (port, select) => {
+    offer(select, outputs.includes(port.value) ? door.description.outputs.find((o) => o.path === port.value).fields.map((f) => f.name) : []);
+    select.selectedIndex = Math.min(axis.selectedIndex, select.length - 1);
+  };
+  const offerPorts = () => { offerPort(output, outputAxis); offerPort(from, fromAxis); };
   const range = () => {
     const { most, axes } = of();
     Object.assign(amplitude, { min: 0, max: most, step: most / 100, value: most / 4, ariaLabel: `amplitude, 0 to ${most} ${of().unit}` });
-    axis.replaceChildren(...axes.map((name, i) => new Option(name, i)));
-    axis.parentElement?.toggleAttribute('hidden', axes.length < 2);
+    offer(axis, axes);
     measured();
+    offerPorts();
     show();
   };
-  const axis = make('select', { name: 'axis', className: 'changes' });
-  const from = labelled('from', number('frequency', 1, 0.001, 100000), 'Hz'), to = labelled('to', number('to', 50, 0.001, 100000), 'Hz');
-  const of_axis = labelled('axis', axis);
+  const low = labelled('from', number('frequency', 1, 0.001, 100000), 'Hz'), high = labelled('to', number('to', 50, 0.001, 100000), 'Hz');
+  const ofAxis = labelled('axis', axis), ofOutput = labelled('axis', outputAxis);
+  const against = make('span', {}, labelled('response from', from), ' ', labelled('axis', fromAxis));  // of a step there is none
   range();
   input.addEventListener('change', range);
+  axis.addEventListener('change', offerPorts);
+  output.addEventListener('change', () => offerPort(output, outputAxis));
+  from.addEventListener('change', () => offerPort(from, fromAxis));
   amplitude.addEventListener('input', show);
   signal.addEventListener('change', () => {
-    from.toggleAttribute('hidden', signal.value === 'step');
-    to.toggleAttribute('hidden', !signal.value.endsWith('chirp'));
+    for (const one of [low, against]) one.toggleAttribute('hidden', signal.value === 'step');
+    high.toggleAttribute('hidden', !signal.value.endsWith('chirp'));
   });
   const begin = make('button', { textContent: '▶ test', className: 'changes' });
   const end = make('button', { type: 'button', textContent: '■ end the test', className: 'changes' });
   const answer = make('div', { className: 'answer', ariaLive: 'polite' });
   const form = make('form', { className: 'row', ariaLabel: 'Test of an input' }, make('span', { className: 'group-name', textContent: 'test' }),
-    labelled('input', input), of_axis, labelled('with', signal), labelled('amplitude', amplitude), shown, from, to, labelled('for', number('duration', 10, 0.001, 600), 's'), labelled('output', output), begin, end);
+    labelled('input', input), ofAxis, labelled('with', signal), labelled('amplitude', amplitude), shown, low, high, labelled('for', number('duration', 10, 0.001, 600), 's'), against, labelled('output', output), ofOutput, begin, end);
   form.addEventListener('submit', async (event) => {
     event.preventDefault();
-    const values = Object.fromEntries(['axis', 'amplitude', 'frequency', 'to', 'duration'].map((name) => [name, Number(form.elements[name].value)]));
-    const texts = Object.fromEntries(['input', 'signal', 'output'].map((name) => [name, form.elements[name].value]));
+    const isFrom = from.value && signal.value !== 'step';
+    const values = Object.fromEntries(['axis', 'amplitude', 'frequency', 'to', 'duration', 'output_axis', ...(isFrom ? ['from_axis'] : [])].map((name) => [name, Number(form.elements[name].value)]));
+    const texts = Object.fromEntries(['input', 'signal', 'output', ...(isFrom ? ['from'] : [])].map((name) => [name, form.elements[name].value]));
     try {
-      const numbers = door.description.outputs.find((o) => o.path === texts.output).fields.length;
-      await door.call('test', { ...texts, ...values, output_axis: Math.min(values.axis, numbers - 1) });
+      await door.call('test', { ...texts, ...values });
       panel.say(`tests ${texts.input} by a ${texts.signal}`);
       answer.replaceChildren(...drawn(await response(door)));
       panel.say(`the test of ${texts.input} is over`);

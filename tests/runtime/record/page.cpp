@@ -96,12 +96,6 @@ TEST_CASE("a name can't end the text around it") {
 TEST_CASE("what can't become a page is refused in words") {
   const temporary_file page("refused_page"), recording("refused_recording"), empty("refused_empty");
   put(recording.path, "abc");
-  CHECK_THROWS_WITH_AS(
-      cca::recording::existing_page("/nowhere/recording.html"),
-      "there is no page to put a recording into: /nowhere/recording.html. It is the file page/recording.html "
-      "of cca: link the target cca::record, or define CCA_RECORDING_PAGE as its path in quotation marks",
-      cca::refused);
-  CHECK_THROWS_AS(cca::recording::existing_page("/tmp"), cca::refused);  // a folder
   put(empty.path, "<html></html>");
   CHECK_THROWS_WITH_AS(cca::recording::write_page(page.path, recording.path, empty.path),
                        doctest::Contains("this is no page for recordings"), cca::refused);
@@ -112,6 +106,11 @@ TEST_CASE("what can't become a page is refused in words") {
   CHECK_THROWS_AS(cca::recording::write_page("/dev/full/a.html", recording.path, empty.path),
                   std::system_error);
   CHECK_FALSE(std::filesystem::exists(page.path));
+}
+
+TEST_CASE("the page of cca is where the target says") {  // and elsewhere: tests/consumers/page.cmake
+  CHECK(cca::recording::page_of_cca() == CCA_RECORDING_PAGE);
+  CHECK(cca::recording::page_without_recording() == CCA_RECORDING_PAGE);
 }
 
 TEST_CASE("a program writes the page of its run") {

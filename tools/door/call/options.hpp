@@ -39,8 +39,7 @@ struct call_command {
 inline constexpr std::size_t any_number = 1000;
 inline constexpr call_command call_commands[] = {
     {"get", "[NAME...]", "values of parameters, one a line, with --json as an object", 0, any_number},
-    {"set", "NAME VALUE ...", "all in one beat, or none; also NAME=VALUE", 1,
-     any_number},
+    {"set", "NAME VALUE ...", "all in one beat, or none; also NAME=VALUE", 1, any_number},
     {"undo", "", "takes back the last change of parameters", 0, 0},
     {"load", "FILE [SCOPE]", "parameters from a file of the program's folder", 1, 2},
     {"save", "FILE [SCOPE]", "parameters into a file of the program's folder", 1, 2},

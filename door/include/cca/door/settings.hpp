@@ -3,23 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <cca/record/page.hpp>
 
 namespace cca {
 
 // What a program does when the connection is lost of the client that holds the right to command.
 enum class when_lost { go_on, hold, stop };  // hold: a pause; stop: the run ends
-
-// page/recording.html of cca, where the target cca::record says it is; empty: it isn't there.
-inline std::string page_of_doors() {
-#ifdef CCA_RECORDING_PAGE
-  if (std::ifstream(CCA_RECORDING_PAGE)) return CCA_RECORDING_PAGE;
-#endif
-  return {};
-}
 
 struct door_settings {
   std::uint16_t port = 8765;  // 0: any that is free; `door.port()` tells
@@ -30,8 +23,9 @@ struct door_settings {
   std::vector<std::string> origins{};  // pages of other addresses that may connect: `https://lab.example`
   when_lost on_lost = when_lost::go_on;
   int most_clients = 32;
-  bool tells_where = true;             // prints the address and the token at start
-  std::string page = page_of_doors();  // an HTML file that is served at `/`; empty: none
+  bool tells_where = true;  // prints the address and the token at start
+  // An HTML file that is served at `/`; empty: none.
+  std::string page = recording::page_of_cca();
   // Of the live twin: the controller as WebAssembly, which the page runs; empty: none. And how many bytes of
   // what was sensed are kept for twins that come later: 64 MiB where a twin is named, else none. State it for
   // a twin that has its program from elsewhere.

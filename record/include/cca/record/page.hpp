@@ -2,10 +2,11 @@
 //
 //   cca::recording::write_page("trot.html", "trot.mcap", cca::recording::page_without_recording());
 //
-// The page without a recording is page/recording.html of cca; the target cca::record states where it is.
-// Errors: cca::refused if it is missing or is none, std::system_error if a file can't be read or written. An
-// HTML file of this name is replaced when the new one is complete. Test: tests/runtime/record/page.cpp;
-// docs/page.md.
+// The page without a recording is page/recording.html of cca. It is where the target cca::record says, in the
+// sources of cca or in the folder share/cca of an installed one; else, on a robot that has only the program,
+// it is the file cca_page.html beside that. Errors: cca::refused if it is missing or is none,
+// std::system_error if a file can't be read or written. An HTML file of this name is replaced when the new
+// one is complete. Tests: tests/runtime/record/page.cpp, tests/consumers/page.cmake; docs/page.md.
 #pragma once
 
 #include <string>
@@ -14,16 +15,9 @@
 
 namespace cca::recording {
 
-// Throws cca::refused if it isn't there.
-std::string existing_page(const std::string& file);
-
-inline std::string page_without_recording() {
-#ifdef CCA_RECORDING_PAGE
-  return existing_page(CCA_RECORDING_PAGE);
-#else
-  return existing_page("");
-#endif
-}
+// The page without a recording. `page_of_cca` is empty where there is none, the other throws cca::refused.
+std::string page_of_cca();
+std::string page_without_recording();
 
 void write_page(const std::string& page, const std::string& recording, const std::string& from);
 

@@ -20,15 +20,22 @@
 
 namespace cca::recording {
 
-CCA_RECORD_INLINE std::string existing_page(const std::string& file) {
-  std::error_code unknown;
-  if (std::filesystem::is_regular_file(file, unknown)) return file;
-  throw refused("there is no page to put a recording into" + (file.empty() ? "" : ": " + file) +
-                ". It is the file page/recording.html of cca: link the target cca::record, or define " +
-                "CCA_RECORDING_PAGE as its path in quotation marks");
-}
-
 namespace detail {
+
+// Stated once for a program, in what is compiled once: files with and without the target's definition get
+// the same.
+inline std::string stated_page() {
+#ifdef CCA_RECORDING_PAGE
+  return CCA_RECORDING_PAGE;
+#else
+  return {};
+#endif
+}
+inline std::string page_beside_program() {
+  std::error_code unknown;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  return program.empty() ? std::string() : (program.parent_path() / "cca_page.html").string();
+}
 
 inline constexpr std::string_view place_of_recording = "<!-- the recording -->";
 
@@ -70,6 +77,21 @@ inline void write_base64(output_file& to, std::istream& from) {
 }
 
 }  // namespace detail
+
+CCA_RECORD_INLINE std::string page_of_cca() {
+  std::error_code unknown;
+  for (const std::string& file : {detail::stated_page(), detail::page_beside_program()})
+    if (std::filesystem::is_regular_file(file, unknown)) return file;
+  return {};
+}
+CCA_RECORD_INLINE std::string page_without_recording() {
+  if (std::string file = page_of_cca(); !file.empty()) return file;
+  const std::string stated = detail::stated_page(), beside = detail::page_beside_program();
+  throw refused("there is no page to put a recording into, neither " +
+                (stated.empty() ? "" : stated + " nor ") + beside +
+                ". It is the file page/recording.html of cca, and share/cca/recording.html of an installed "
+                "one: copy it there");
+}
 
 CCA_RECORD_INLINE void write_page(const std::string& page,
                                   const std::string& recording,

@@ -188,7 +188,9 @@ inline greeting read_greeting(std::string_view bytes,
       return refused_greeting(405, "GET, or a WebSocket");
     if (page_size == 0)
       return refused_greeting(426,
-                              "this door has no page, only a WebSocket: connect a viewer to ws://" + host);
+                              "this door has no page, only a WebSocket: connect a viewer to ws://" + host +
+                                  ", or put share/cca/recording.html of an installed cca beside the program, "
+                                  "as cca_page.html");
     g.what = greeting::is::page;
     g.head_only = request.method() == http::verb::head;
     g.answer = head_of_page(host, page_size);
