@@ -23,7 +23,7 @@ namespace cca::recording {
 namespace detail {
 
 // Stated once for a program, in what is compiled once: files with and without the target's definition get
-// the same.
+// the same. Where nothing is compiled once, all files must have it, or none.
 inline std::string stated_page() {
 #ifdef CCA_RECORDING_PAGE
   return CCA_RECORDING_PAGE;
