@@ -25,8 +25,8 @@
 namespace cca::detail {
 
 // Coordinates and time of origin. Eigen's vectors are not trivially copyable, but a controller of trivial
-// components is: so the vector lives in bytes. They are read as they are, because g++ knows nothing about
-// what std::launder returns (docs/compilers.md).
+// components is: so the vector lives in bytes. Without std::launder: the compiler would know nothing
+// about what it reads (docs/compilers.md).
 template <int Size>
 class stored_sample {
   using vector_type = Eigen::Matrix<double, Size, 1>;
@@ -80,7 +80,7 @@ template <>
 struct published_marks<0> {};
 
 // What a component returned, where it returned it. Nobody reads it in a later beat. It lives in bytes: in a
-// union g++ takes each coordinate that is written for one that may change the origin (docs/compilers.md).
+// union each coordinate that is written might change the origin (docs/compilers.md).
 template <class Result, bool InEachBeat>
 class result_of_beat : published_marks<InEachBeat ? 0 : outputs_in<Result>> {
 public:
@@ -98,7 +98,8 @@ public:
   template <int Position>
   CCA_INLINE const auto& output() const {
     if constexpr (index_of<Position>(static_cast<Result*>(nullptr)) < 0) return result();
-    else return std::get<static_cast<std::size_t>(index_of<Position>(static_cast<Result*>(nullptr)))>(result());
+    else
+      return std::get<static_cast<std::size_t>(index_of<Position>(static_cast<Result*>(nullptr)))>(result());
   }
   template <int Position>
   CCA_INLINE std::int64_t arrived(std::int64_t k) const {
