@@ -96,9 +96,10 @@ struct album {
 template <int Count>
 struct pictures : cca::graph<cca::rate<1000>,
                              cca::node<"camera", camera<Count>>,
+                             cca::node<"earlier", camera<Count>>,
                              cca::node<"album", album<Count>>,
                              cca::wire<"camera.y", "album.x">,
-                             cca::wire<"camera.y", "album.before", cca::delayed<1>, cca::initial<7>>> {};
+                             cca::wire<"earlier.y", "album.before", cca::delayed<1>, cca::initial<7>>> {};
 
 struct older {  // sets the origin of its samples itself
   auto process(cca::beat now) -> cca::out<"y", reading> {
