@@ -33,9 +33,9 @@ template <class From, class To> concept Renames =
 template <class Space>
 inline constexpr bool is_large = Space::size > 64;
 
-// May an input refer to a sample?
+// May an input refer to a sample? Up to four numbers are copied in fewer instructions.
 template <class Space>
-inline constexpr bool may_refer = is_large<Space> || (shows_in_place && Space::size > 1);
+inline constexpr bool may_refer = is_large<Space> || (shows_in_place && Space::size > 4);
 
 template <class Vector, bool MayRefer>
 struct stored_elsewhere {

@@ -25,8 +25,8 @@
 namespace cca::detail {
 
 // Coordinates and time of origin. Eigen's vectors are not trivially copyable, but a controller of trivial
-// components is: so the vector lives in bytes. Without std::launder: the compiler would know nothing
-// about what it reads (docs/compilers.md).
+// components is: so the vector lives in bytes. Through std::launder the compiler knows nothing about what
+// it reads, so only small ones, which need no loop, are read through it (docs/compilers.md).
 template <int Size>
 class stored_sample {
   using vector_type = Eigen::Matrix<double, Size, 1>;
@@ -34,8 +34,14 @@ class stored_sample {
 public:
   stored_sample() { ::new (static_cast<void*>(bytes)) vector_type(vector_type::Zero()); }
 
-  CCA_INLINE vector_type& vector() { return *reinterpret_cast<vector_type*>(bytes); }
-  CCA_INLINE const vector_type& vector() const { return *reinterpret_cast<const vector_type*>(bytes); }
+  CCA_INLINE vector_type& vector() {
+    if constexpr (Size <= 4) return *std::launder(reinterpret_cast<vector_type*>(bytes));
+    else return *reinterpret_cast<vector_type*>(bytes);
+  }
+  CCA_INLINE const vector_type& vector() const {
+    if constexpr (Size <= 4) return *std::launder(reinterpret_cast<const vector_type*>(bytes));
+    else return *reinterpret_cast<const vector_type*>(bytes);
+  }
   CCA_INLINE std::int64_t origin() const { return time; }
   void forget() { time = never; }
   // What it shows until a sample is stored.
