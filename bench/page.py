@@ -198,6 +198,7 @@ Without AVX, at `-O2`, these are the instructions of g++ that the loop by hand d
 While results stood in a union and all inputs were copies, the same graphs took 2,674, 2,287, 2,218 and 1,890: 184 to 214 of them were copies, 98 to 152 origins and rings.
 Eight graphs that nobody had looked at (seeds 8 to 15) went from 1.129 to 1.073 on average at `-O2`, the worst from 1.246 to 1.117.
 With AVX seven of them (9 to 15) went from 1.056 to 1.033 at `-O2 -march=x86-64-v3`, the worst from 1.173 to 1.143.
+The rows of clang are of commit f6ad09f7: nine of its 21 counts (seeds 2, 3 and 7) were made again and are the same.
 g++ inlines by a budget for the whole file, so both forms move with each other: after a change of the graph the third one took 2,452 by hand, not 2,347.
 `python3 bench/measure.py --only random` measures this part.
 

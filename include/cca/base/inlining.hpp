@@ -32,7 +32,8 @@
 //                    match. Without AVX its vectors have 16 bytes, and memcpy matches. clang drops either
 //                    copy.
 // shows_in_place     g++ without AVX. There a loop over the axes stays a loop, and g++ keeps each copy that
-//                    one reads: inputs of more than four refer to results of the same beat instead (docs/decisions/0017).
+//                    one reads: inputs of more than four numbers refer to results of the same beat instead
+//                    (docs/decisions/0017).
 //
 // Eigen reads two macros, so eigen.hpp includes this header before it:
 // EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT: since C++17 `new` aligns as the type asks, so Eigen's check of an
