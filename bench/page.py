@@ -184,10 +184,21 @@ The same arithmetic by hand is one function that copies no sample: a result is r
 Each run checks that the two give the same bits.
 By hand they take {number(least)} to {number(most)} instructions per beat.
 The bounds are a mean of 1.03 and no graph above 1.10.
-On g++, half of what remains are the zeros that an output begins with, so that an axis that a component forgets is never what memory held: g++ keeps them where it does not unroll the loop that fills the output.
-Without them the first three graphs took 1.09 instead of 1.13 at `-O2`, 1.02 instead of 1.06 at `-O2 -march=x86-64-v3`, on average.
-The rest at `-O2` are the samples that components get by value; references instead took 1.13 as well on average, and cost instructions on machines with AVX.
-References to those samples alone that live in the beat took 1.083 instead of 1.090 at `-O2` for six graphs, and more than before in two of them.
+On g++, most of what remains are the zeros that an output begins with, so that an axis that a component forgets is never what memory held: g++ keeps them where it does not unroll the loop that fills the output.
+Next come the copies of samples of earlier beats (those of the same beat are read in place, [decision 17](decisions/0017-results-stay-where-they-are-returned.md)), and the origins with the places in rings, which the loop by hand does not keep.
+Without AVX, at `-O2`, these are the instructions of g++ that the loop by hand does not have, counted by the line of the header that they come from; what is left, the arithmetic and its loops, takes fewer in the graph:
+
+| seed | graph / by hand | zeros | copies | origins, rings | the rest |
+|---|---|---|---|---|---|
+| 1 | 2,444 / 2,408 | 166 | 10 | 44 | -184 |
+| 2 | 2,128 / 1,958 | 104 | 33 | 41 | -8 |
+| 5 | 2,111 / 1,952 | 85 | 93 | 81 | -100 |
+| 7 | 1,766 / 1,580 | 121 | 90 | 85 | -110 |
+
+While results stood in a union and all inputs were copies, the same graphs took 2,674, 2,287, 2,218 and 1,890: 184 to 214 of them were copies, 98 to 152 origins and rings.
+Eight graphs that nobody had looked at (seeds 8 to 15) went from 1.129 to 1.073 on average at `-O2`, the worst from 1.246 to 1.117.
+With AVX seven of them (9 to 15) went from 1.056 to 1.033 at `-O2 -march=x86-64-v3`, the worst from 1.173 to 1.143.
+The rows of clang are of commit f6ad09f7: nine of its 21 counts (seeds 2, 3 and 7) were made again and are the same.
 g++ inlines by a budget for the whole file, so both forms move with each other: after a change of the graph the third one took 2,452 by hand, not 2,347.
 `python3 bench/measure.py --only random` measures this part.
 

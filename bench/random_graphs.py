@@ -269,19 +269,43 @@ ROBOT = {
 }
 
 
+def in_order(nodes):
+    """As they run in a beat: after what they read without a delay, unless that wire closes a loop to a node further down."""
+    found = []
+
+    def depends(node, on, seen):
+        if node is on:
+            return True
+        seen.add(node)
+        return any(s.component and not delay and s not in seen and depends(s, on, seen) for s, delay in node.sources)
+
+    def visit(node):
+        if node in found:
+            return
+        for s, delay in node.sources:
+            if s.component and not delay and not (nodes.index(s) >= nodes.index(node) and depends(s, node, set())):
+                visit(s)
+        found.append(node)
+
+    for node in nodes:
+        visit(node)
+    return found
+
+
 class Hand:
     """The members and the lines of the loop by hand."""
 
     def __init__(self, g):
         self.g = g
         self.members = ["vector8 counts = vector8::Constant(50), speed = vector8::Zero();"]
-        self.order = {n.name: i for i, n in enumerate(g.nodes)} | {"robot": -1}
+        self.nodes = in_order(g.nodes)
+        self.order = {n.name: i for i, n in enumerate(self.nodes)} | {"robot": -1}
         self.results = {"robot": "robot_y"} | {n.name: f"{n.name}_{n.component.by_hand[1][1:]}" if n.component.keeps_result else f"{n.name}_y" for n in g.nodes}
         self.outlives_beat = {n.name: n.component.keeps_result for n in g.nodes}  # what it returns
         self.lines, self.end = [ROBOT[g.robot_style][2].strip()], []
         for name in self.order:
             self.keep(name)
-        for n in g.nodes:
+        for n in self.nodes:
             self.compute(n)
         self.lines.append(ROBOT[g.robot_style][1].replace("x.vector()", self.results[g.nodes[-1].name]).strip())
 

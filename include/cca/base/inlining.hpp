@@ -31,6 +31,9 @@
 //                    302 instructions per beat instead of 221 (docs/decisions/0017). Pieces of 32 bytes
 //                    match. Without AVX its vectors have 16 bytes, and memcpy matches. clang drops either
 //                    copy.
+// shows_in_place     g++ without AVX. There a loop over the axes stays a loop, and g++ keeps each copy that
+//                    one reads: inputs of more than four numbers refer to results of the same beat instead
+//                    (docs/decisions/0017).
 //
 // Eigen reads two macros, so eigen.hpp includes this header before it:
 // EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT: since C++17 `new` aligns as the type asks, so Eigen's check of an
@@ -86,6 +89,11 @@ namespace cca::detail {
 inline constexpr bool copies_in_pieces = true;
 #else
 inline constexpr bool copies_in_pieces = false;
+#endif
+#if !defined(__AVX__) && !defined(__clang__)
+inline constexpr bool shows_in_place = true;
+#else
+inline constexpr bool shows_in_place = false;
 #endif
 
 #if defined(__clang__)

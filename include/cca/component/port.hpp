@@ -123,10 +123,12 @@ public:
   // How many samples the queue of its wire has lost because it was full, so far; 0: the wire has no queue.
   constexpr std::int64_t dropped() const { return lost; }
 
-  // For the beat: the sample as its writer left it. One block, because a copy number by number is not
-  // optimised away.
+  // For the beat: the sample as its writer left it, in this beat or before. One block, because a copy number
+  // by number is not optimised away.
+  template <bool IsOfBeat = false>
   void show(const typename in::vector_type& stored, std::int64_t origin, bool is_fresh) {
-    if constexpr (detail::is_large<typename in::space>) this->refer_to(stored);
+    constexpr bool refers = detail::is_large<typename in::space> || (IsOfBeat && detail::shows_in_place);
+    if constexpr (refers && detail::may_refer<typename in::space>) this->refer_to(stored);
     else detail::copy_block<in::space::size>(this->value.data(), stored.data());
     this->time = origin;
     arrived = is_fresh;

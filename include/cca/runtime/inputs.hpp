@@ -123,7 +123,8 @@ struct input_reader {
     } else {
       const auto* sample = shown(b, index);
       if constexpr (is_never_null) {
-        port.show(sample->vector(), sample->origin(), is_fresh(b, index, last));
+        port.template show<kind == storage_kind::of_beat>(sample->vector(), sample->origin(),
+                                                          is_fresh(b, index, last));
       } else {
         if (sample) port.show(sample->vector(), sample->origin(), is_fresh(b, index, last));
         else port.show_initial(initial_of_input<Graph, Input>());

@@ -1,14 +1,15 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
 // Read it by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
 //
-// A sample owns its coordinates. Only an input of many numbers refers to those that its writer stored, as
-// long as its component runs: a copy of it owns its own.
+// A sample owns its coordinates. Only an input may refer to those that its writer stored, as long as its
+// component runs: a copy of it owns its own.
 // Errors: space.wrong_length, space.unknown_axis.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
+#include <cca/base/inlining.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/messages/vector_argument.hpp>
@@ -32,7 +33,11 @@ template <class From, class To> concept Renames =
 template <class Space>
 inline constexpr bool is_large = Space::size > 64;
 
-template <class Vector, bool IsLarge>
+// May an input refer to a sample? Up to four numbers are copied in fewer instructions.
+template <class Space>
+inline constexpr bool may_refer = is_large<Space> || (shows_in_place && Space::size > 4);
+
+template <class Vector, bool MayRefer>
 struct stored_elsewhere {
   const Vector* shown = nullptr;  // null: here
 };
@@ -53,7 +58,7 @@ struct unfit_vector {
 
 template <class Space>
 class sample : public Space::domain::template methods<sample<Space>>,
-               detail::stored_elsewhere<typename Space::vector_type, detail::is_large<Space>> {
+               detail::stored_elsewhere<typename Space::vector_type, detail::may_refer<Space>> {
 public:
   using space = Space;
   using vector_type = typename Space::vector_type;
@@ -79,20 +84,20 @@ public:
   }
   constexpr sample(const sample& other)
       : Space::domain::template methods<sample<Space>>(),
-        detail::stored_elsewhere<vector_type, detail::is_large<Space>>(),
+        detail::stored_elsewhere<vector_type, detail::may_refer<Space>>(),
         time(other.time) {
     copy(other.vector());
   }
   constexpr sample& operator=(const sample& other) {
     copy(other.vector());
-    if constexpr (detail::is_large<Space>) this->shown = nullptr;
+    if constexpr (detail::may_refer<Space>) this->shown = nullptr;
     time = other.time;
     return *this;
   }
 
   // Coordinates in the order of the axes, in the domain's units.
   constexpr const vector_type& vector() const {
-    if constexpr (detail::is_large<Space>)
+    if constexpr (detail::may_refer<Space>)
       if (this->shown) return *this->shown;
     return value;
   }
@@ -127,7 +132,7 @@ public:
 protected:
   // Until it is filled again. `from` has to outlive it.
   void refer_to(const vector_type& from)
-    requires detail::is_large<Space>
+    requires detail::may_refer<Space>
   {
     this->shown = &from;
   }

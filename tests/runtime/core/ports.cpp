@@ -64,36 +64,42 @@ struct sometimes : cca::graph<cca::rate<1000>,
                               cca::wire<"odd.all", "late.x", cca::delayed<2>, cca::initial<7>>,
                               cca::wire<"silent.y", "never.x", cca::latest, cca::initial<-2.5>>> {};
 
-// So many numbers that an input shows them where their writer stored them.
-struct many_numbers : cca::record<100> {};
-struct picture : cca::space<many_numbers, cca::axes<cca::x>> {};
+// So many numbers that an input shows them where their writer stored them; of some it does so within a beat.
+template <int Count>
+struct numbers_of_picture : cca::record<Count> {};
+template <int Count>
+struct picture : cca::space<numbers_of_picture<Count>, cca::axes<cca::x>> {};
+template <int Count>
 struct camera {
-  auto process(cca::beat now) -> cca::out<"y", picture> {
-    cca::out<"y", picture> y;
+  auto process(cca::beat now) -> cca::out<"y", picture<Count>> {
+    cca::out<"y", picture<Count>> y;
     y.vector().setConstant(static_cast<double>(now.index()));
     return y;
   }
 };
+template <int Count>
 struct album {
-  using image = cca::in<"x", picture>;
-  void process(image x, cca::in<"before", picture> before) {
-    shown.emplace_back(x.vector()[99], before.vector()[99]);
+  using image = cca::in<"x", picture<Count>>;
+  void process(image x, cca::in<"before", picture<Count>> before) {
+    shown.emplace_back(x.vector()[Count - 1], before.vector()[Count - 1]);
     kept.push_back(x);
     const image copied = x;
-    const cca::sample<picture> owned = copied;
-    first = owned.vector()[99];
-    x = image(picture::vector_type::Constant(-3), 0, false);
-    assigned = x.vector()[99];
+    const cca::sample<picture<Count>> owned = copied;
+    first = owned.vector()[Count - 1];
+    x = image(picture<Count>::vector_type::Constant(-3), 0, false);
+    assigned = x.vector()[Count - 1];
   }
   std::vector<std::pair<double, double>> shown;
-  std::vector<cca::sample<picture>> kept;
+  std::vector<cca::sample<picture<Count>>> kept;
   double first = -1, assigned = -1;
 };
+template <int Count>
 struct pictures : cca::graph<cca::rate<1000>,
-                             cca::node<"camera", camera>,
-                             cca::node<"album", album>,
+                             cca::node<"camera", camera<Count>>,
+                             cca::node<"earlier", camera<Count>>,
+                             cca::node<"album", album<Count>>,
                              cca::wire<"camera.y", "album.x">,
-                             cca::wire<"camera.y", "album.before", cca::delayed<1>, cca::initial<7>>> {};
+                             cca::wire<"earlier.y", "album.before", cca::delayed<1>, cca::initial<7>>> {};
 
 struct older {  // sets the origin of its samples itself
   auto process(cca::beat now) -> cca::out<"y", reading> {
@@ -206,17 +212,18 @@ TEST_SUITE("ports") {
     CHECK_EQ(c.get<"never">().all.back(), seen{3, -2.5, cca::never, false});
   }
 
-  TEST_CASE("a sample of many numbers can be kept: a copy is its own") {
-    auto c = started<pictures>();
+  TEST_CASE_TEMPLATE("a sample of many numbers can be kept: a copy is its own", graph, pictures<100>,
+                     pictures<8>) {
+    auto c = started<graph>();
     c.run(cca::for_beats<3>{});
-    const auto& album = c.get<"album">();
+    const auto& album = c.template get<"album">();
     CHECK_EQ(album.shown, std::vector<std::pair<double, double>>{{0, 7}, {1, 0}, {2, 1}});
-    for (std::size_t k = 0; k < 3; ++k) CHECK_EQ(album.kept[k].vector()[99], static_cast<double>(k));
+    for (std::size_t k = 0; k < 3; ++k) CHECK_EQ(album.kept[k].vector().tail(1)[0], static_cast<double>(k));
     CHECK_EQ(album.first, 2);
     CHECK_EQ(album.assigned, -3);
     const auto snapshot = c;
     c.run(cca::for_beats<2>{});
-    CHECK_EQ(snapshot.get<"album">().kept[2].vector()[99], 2);
+    CHECK_EQ(snapshot.template get<"album">().kept[2].vector().tail(1)[0], 2);
   }
 
   TEST_CASE("a sample takes the oldest origin of the inputs") {

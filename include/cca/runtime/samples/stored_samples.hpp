@@ -25,7 +25,8 @@
 namespace cca::detail {
 
 // Coordinates and time of origin. Eigen's vectors are not trivially copyable, but a controller of trivial
-// components is: so the vector lives in bytes.
+// components is: so the vector lives in bytes. Through std::launder the compiler knows nothing about what
+// it reads, so only small ones, which need no loop, are read through it (docs/compilers.md).
 template <int Size>
 class stored_sample {
   using vector_type = Eigen::Matrix<double, Size, 1>;
@@ -33,9 +34,13 @@ class stored_sample {
 public:
   stored_sample() { ::new (static_cast<void*>(bytes)) vector_type(vector_type::Zero()); }
 
-  CCA_INLINE vector_type& vector() { return *std::launder(reinterpret_cast<vector_type*>(bytes)); }
+  CCA_INLINE vector_type& vector() {
+    if constexpr (Size <= 4) return *std::launder(reinterpret_cast<vector_type*>(bytes));
+    else return *reinterpret_cast<vector_type*>(bytes);
+  }
   CCA_INLINE const vector_type& vector() const {
-    return *std::launder(reinterpret_cast<const vector_type*>(bytes));
+    if constexpr (Size <= 4) return *std::launder(reinterpret_cast<const vector_type*>(bytes));
+    else return *reinterpret_cast<const vector_type*>(bytes);
   }
   CCA_INLINE std::int64_t origin() const { return time; }
   void forget() { time = never; }
@@ -80,14 +85,15 @@ struct published_marks {
 template <>
 struct published_marks<0> {};
 
-// What a component returned, where it returned it. Nobody reads it in a later beat.
+// What a component returned, where it returned it. Nobody reads it in a later beat. It lives in bytes: in a
+// union each coordinate that is written might change the origin (docs/compilers.md).
 template <class Result, bool InEachBeat>
 class result_of_beat : published_marks<InEachBeat ? 0 : outputs_in<Result>> {
 public:
   CCA_INLINE result_of_beat() {}
 
   // Where the result is to be built.
-  CCA_INLINE void* place() { return &result; }
+  CCA_INLINE void* place() { return bytes; }
   // The output number `Position` of it is published.
   template <int Position>
   CCA_INLINE void put() {
@@ -97,8 +103,9 @@ public:
   // The output number `Position` among the results.
   template <int Position>
   CCA_INLINE const auto& output() const {
-    if constexpr (index_of<Position>(static_cast<Result*>(nullptr)) < 0) return result;
-    else return std::get<static_cast<std::size_t>(index_of<Position>(static_cast<Result*>(nullptr)))>(result);
+    if constexpr (index_of<Position>(static_cast<Result*>(nullptr)) < 0) return result();
+    else
+      return std::get<static_cast<std::size_t>(index_of<Position>(static_cast<Result*>(nullptr)))>(result());
   }
   template <int Position>
   CCA_INLINE std::int64_t arrived(std::int64_t k) const {
@@ -121,9 +128,9 @@ private:
     return found;
   }
 
-  union {
-    Result result;
-  };
+  CCA_INLINE const Result& result() const { return *reinterpret_cast<const Result*>(bytes); }
+
+  alignas(Result) unsigned char bytes[sizeof(Result)];
 };
 
 // ---- newest ----
