@@ -3,12 +3,14 @@
 //
 //   trot_search --config trot.toml --generations 40 --out found.toml
 //   mpirun -n 4 trot_search --config trot.toml --generations 40 --out found.toml
+//   trot_search --engine compiled --uncertain --draws 3 --out robust.toml
 //
 // The value of a gait is its speed, less penalties for falling, drifting, rolling, pitching, for feet that
 // slip, and for feet that stand longer or shorter than commanded. It is tried on flat ground, over steps, up
 // a slope and down, with new disturbances in each generation; the worst of them counts as much as their mean.
-// So a gait that is good by luck is not kept. To adapt the trot to another robot, change the robot
-// (robots/oncilla/body.hpp, oncilla_model.hpp) and search again.
+// So a gait that is good by luck is not kept. With --uncertain each run has a robot and a ground of its own,
+// too (examples/trot/uncertain.hpp). All gaits of a generation meet the same. To adapt the trot to another
+// robot, change the robot (robots/oncilla/body.hpp, oncilla_model.hpp) and search again.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -28,19 +30,22 @@
 #include "../../examples/trot/report/all_cores.hpp"
 #include "../../examples/trot/report/engine.hpp"
 #include "../../examples/trot/report/progress.hpp"
-#include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/report/statistics.hpp"
+#include "../../examples/trot/idle_robot.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "../../examples/trot/uncertain.hpp"
 
 namespace {
 
-struct compiled_trot : trot::architecture<cca::sim::compiled_oncilla> {};
+struct written_trot : trot::architecture<trot::idle_robot> {};  // its parameters are those of every robot
 
-constexpr int parameter_count = 14;
+constexpr int parameter_count = 19;
 
 // The parameters to search, each within a range.
 struct searched {
   trot::stride_oscillator::parameters cpg;
   trot::gait::parameters gait;
+  trot::posture::parameters posture;
 
   template <class Field>
   void each(Field field) {
@@ -61,6 +66,11 @@ struct searched {
     field(i++, advance, -0.15, 0.2);
     gait.offsets = {0, 0.5, 0.5 - advance, -advance};
     field(i++, gait.even, 0.0, 1.0);
+    field(i++, posture.heading, 0.3, 2.5);
+    field(i++, posture.drift, 0.0, 1.5);
+    field(i++, posture.upright, 0.4, 1.0);
+    field(i++, posture.level, 0.0, 2.0);
+    field(i++, posture.damp, 0.0, 0.06);
   }
 };
 
@@ -91,6 +101,8 @@ struct trial {
 constexpr double steady_foot = 0.06, steadiest_foot = 0.10;  // m/s, of all feet and of the worst
 constexpr double near_duty = 0.07;
 
+constexpr std::uint64_t first_of_search = 1000;  // of its seeds; trot_seeds judges with lower ones
+
 double worth(const trot::statistics& s, double duty, const trial& t) {
   if (s.fell) return s.seconds / t.seconds - 4;
   const double worst_slip = *std::max_element(s.slip_of_foot.begin(), s.slip_of_foot.end());
@@ -101,22 +113,29 @@ double worth(const trot::statistics& s, double duty, const trial& t) {
          0.3 * std::abs(s.drift) / s.seconds - 0.3 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
 }
 
-// `start` is a controller that is loaded and not started; each run takes a copy of it.
+// `start` is a controller that is loaded and not started; each run takes a copy of it. The runs of a generation
+// are those of the same robots and grounds, whatever gait they try.
 template <class Controller>
 double worth(const Controller& start,
              const searched& what,
              const std::vector<trial>& trials,
              int generation,
+             bool uncertain,
              const cca::interruption& interrupted) {
   double sum = 0, worst = 1e9;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     Controller controller = start;
     controller.template set<"cpg">(what.cpg);
     controller.template set<"gait">(what.gait);
-    const auto seed = 1000 + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
+    controller.template set<"posture">(what.posture);
+    const auto seed = first_of_search + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
     const trial& t = trials[i];
-    const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds),
-                                    t.seconds, [&] { return !interrupted; });
+    const auto run = trot::on_drawn_ground(
+        controller, uncertain ? trot::drawn_uncertainty(seed) : cca::sim::uncertainty{},
+        cca::sim::disturbance::from_seed(seed, t.seconds), t.ground,
+        [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
+          return trot::roll_out(c, ground, disturbance, t.seconds, [&] { return !interrupted; }, settings);
+        });
     const double value = worth(trot::evaluate(run), what.gait.duty, t);
     sum += value;
     worst = std::min(worst, value);
@@ -126,9 +145,10 @@ double worth(const Controller& start,
 
 struct options {
   std::string config, out = "found.toml";
-  int generations = 40, population = 12;
-  double seconds = 7;
+  int generations = 40, population = 12, draws = 1;
+  double seconds = 7, step = 0.1;
   std::uint64_t seed = 1;
+  bool uncertain = false;
   trot::engine engine = trot::engine::ode;
 };
 
@@ -137,29 +157,37 @@ void offer(cca::command_line& line, options& o) {
   line.text("--out FILE", o.out, "the best parameters, for trot --config (found.toml)");
   line.number("--generations N", o.generations, 1, 1e5, "how long to search (40)");
   line.number("--population N", o.population, 4, 1e4, "gaits per generation (12)");
+  line.number("--draws N", o.draws, 1, 1000, "runs of each gait on each ground (1)");
+  line.number("--step X", o.step, 1e-3, 1, "how far it looks at first, as a share of the ranges (0.1)");
+  line.flag("--uncertain", o.uncertain, "robots and grounds differ from their description, in each run");
   line.number("--seconds S", o.seconds, 3, 1000, "of each run, simulated (7)");
   line.whole_number("--seed N", o.seed, 0, "of the search (1)");
   trot::offer_engine(line, o.engine);
-  cca::offer_descriptions<trot::trotting>(line, [&o](trot::trotting& c) {
+  using described = cca::controller<written_trot>;
+  cca::offer_descriptions<described>(line, [&o](described& c) {
     if (!o.config.empty()) cca::read_parameters(c, o.config);
   });
 }
 
-template <class Trot>
+template <class World>
 int search(const options& o, trot::all_cores& cores) {
   const cca::interruption interrupted;  // ctrl-c: the best gait so far is written
-  cca::controller<Trot> start;
+  cca::controller<trot::uncertain_trot<World>> start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
-  const searched first{start.template get<"cpg">().p, start.template get<"gait">().p};
-  const std::vector<trial> trials{{cca::sim::terrain::flat(), o.seconds, 0.72},
-                                  {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.66},
-                                  {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.66},
-                                  {cca::sim::terrain::slope(trot::degrees(-6)), o.seconds, 0.66}};
+  const searched first{start.template get<"cpg">().p, start.template get<"gait">().p,
+                       start.template get<"posture">().p};
+  std::vector<trial> trials;
+  for (int draw = 0; draw < o.draws; ++draw) {
+    trials.push_back({cca::sim::terrain::flat(), o.seconds, 0.72});
+    trials.push_back({cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.66});
+    trials.push_back({cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.66});
+    trials.push_back({cca::sim::terrain::slope(trot::degrees(-6)), o.seconds, 0.66});
+  }
 
-  gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
+  gait_search::cma_es evolution(to_point(first), o.step, o.population, o.seed);
   searched best = first;
-  double best_worth = worth(start, first, trials, 0, interrupted);
+  double best_worth = worth(start, first, trials, 0, o.uncertain, interrupted);
   trot::progress_bar bar("search", cores.is_first());
   const double total = o.generations * static_cast<double>(o.population + 1);
   bool ends_early = false;
@@ -169,7 +197,7 @@ int search(const options& o, trot::all_cores& cores) {
     points.push_back(evolution.mean());
     const auto value = [&](std::size_t i) {
       const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
-      return worth(start, at_point(first, points[i]), trials, draw, interrupted) - outside(points[i]);
+      return worth(start, at_point(first, points[i]), trials, draw, o.uncertain, interrupted) - outside(points[i]);
     };
     const auto show = [&](std::size_t over) {
       char note[80];
@@ -191,9 +219,12 @@ int search(const options& o, trot::all_cores& cores) {
   bar.done();
   if (!cores.is_first()) return interrupted.exit_code();
 
-  cca::controller<Trot> found = start;
-  found.template set<"cpg">(best.cpg);
-  found.template set<"gait">(best.gait);
+  cca::controller<written_trot> found;
+  found.load();
+  found.set<"throttle">(start.template get<"throttle">().p);
+  found.set<"posture">(best.posture);
+  found.set<"cpg">(best.cpg);
+  found.set<"gait">(best.gait);
   found.save(o.out);
   std::cout << "worth " << best_worth << "; written to " << o.out << '\n';
   if (ends_early) std::cerr << "trot_search: interrupted; this is the best so far\n";
@@ -208,7 +239,7 @@ int main(int count, char** words) {
   cca::command_line line("searches gait parameters that make the robot fast and steady, on all cores");
   offer(line, o);
   return cca::run_program(count, words, line, [&] {
-    return o.engine == trot::engine::compiled ? search<compiled_trot>(o, cores)
-                                              : search<trot::simulated_trot>(o, cores);
+    return o.engine == trot::engine::compiled ? search<cca::sim::compiled_oncilla_world>(o, cores)
+                                              : search<cca::sim::world>(o, cores);
   });
 }

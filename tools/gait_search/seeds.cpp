@@ -3,6 +3,7 @@
 // report/bounds.hpp.
 //
 //   trot_seeds --config trot.toml --count 20 --terrain slope:6 --bounds --summary seeds.json
+//   trot_seeds --engine compiled --uncertain    each robot and ground differs from its description
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,19 +25,21 @@
 #include "../../examples/trot/report/file.hpp"
 #include "../../examples/trot/report/finished_runs.hpp"
 #include "../../examples/trot/report/json.hpp"
-#include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/report/statistics.hpp"
+#include "../../examples/trot/idle_robot.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "../../examples/trot/uncertain.hpp"
 
 namespace {
 
-struct compiled_trot : trot::architecture<cca::sim::compiled_oncilla> {};
+using described = cca::controller<trot::architecture<trot::idle_robot>>;
 
 struct options {
   std::string config, summary;
   cca::sim::terrain ground = cca::sim::terrain::flat();
   std::uint64_t first = 0, count = 100;
   double seconds = 20;
-  bool bounds = false;
+  bool bounds = false, uncertain = false;
   trot::engine engine = trot::engine::ode;
 };
 
@@ -47,18 +50,19 @@ void offer(cca::command_line& line, options& o) {
   line.number("--seconds S", o.seconds, 1, 3600, "of each, simulated (20)");
   trot::offer_terrain(line, o.ground);
   trot::offer_engine(line, o.engine);
+  line.flag("--uncertain", o.uncertain, "robots and grounds differ from their description, in each run");
   line.text("--summary FILE", o.summary,
             "falls, speed, drift, slip and duty, of all and of each, as one JSON object");
   line.flag("--bounds", o.bounds, "ends with 1 if a run falls, is slow, slips, or stands too long or short");
-  cca::offer_descriptions<trot::trotting>(line, [&o](trot::trotting& c) {
+  cca::offer_descriptions<described>(line, [&o](described& c) {
     if (!o.config.empty()) cca::read_parameters(c, o.config);
   });
 }
 
-template <class Trot>
+template <class World>
 int run(const options& o) {
   const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
-  cca::controller<Trot> start;
+  cca::controller<trot::uncertain_trot<World>> start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
 
@@ -69,10 +73,15 @@ int run(const options& o) {
   const std::vector<run_of_seed> all =
       trot::finished_runs("trot_seeds", o.count, interrupted, [&](std::size_t i) {
         auto controller = start;
-        const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
-        return run_of_seed{o.first + i,
-                           trot::evaluate(trot::roll_out(controller, o.ground, disturbance, o.seconds,
-                                                         [&] { return !interrupted; }))};
+        const std::uint64_t seed = o.first + i;
+        return run_of_seed{
+            seed, trot::on_drawn_ground(
+                      controller, o.uncertain ? trot::drawn_uncertainty(seed) : cca::sim::uncertainty{},
+                      cca::sim::disturbance::from_seed(seed, o.seconds), o.ground,
+                      [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
+                        return trot::evaluate(trot::roll_out(
+                            c, ground, disturbance, o.seconds, [&] { return !interrupted; }, settings));
+                      })};
       });
 
   const double commanded = start.template get<"gait">().p.duty;
@@ -125,18 +134,19 @@ int run(const options& o) {
   for (double* summed : {&speed, &cruise, &slip, &friction, &duty[0], &duty[1], &duty[2], &duty[3]})
     *summed = stood > 0 ? *summed / stood : 0;
   std::printf(
-      "%zu seeds, %.0f s each, %s: %zu fell (%.1f %%), %zu beyond the bounds; speed %.3f m/s on average, "
+      "%zu seeds, %.0f s each, %s%s: %zu fell (%.1f %%), %zu beyond the bounds; speed %.3f m/s on average, "
       "%.3f "
       "at least; cruise %.3f, %.3f at least; drift up to %.1f %%; roll up to %.1f, pitch up to %.1f deg; "
       "slip "
       "%.3f m/s on average, %.3f at most; friction %.1f W; duty %.3f %.3f %.3f %.3f, up to %.3f off\n",
-      all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, beyond, speed, slowest, cruise,
+      all.size(), o.seconds, o.ground.name().c_str(), o.uncertain ? ", uncertain" : "", falls, 100 * rate, beyond, speed, slowest, cruise,
       slowest_cruise, 100 * aside, roll * 57.2958, pitch * 57.2958, slip, most_slip, friction, duty[0],
       duty[1], duty[2], duty[3], most_off_duty);
   const int outcome = interrupted ? interrupted.exit_code() : o.bounds && beyond > 0 ? 1 : 0;
   if (o.summary.empty()) return outcome;
   const trot::json summary{{"seeds", all.size()},
                            {"engine", trot::name_of(o.engine)},
+                           {"uncertain", o.uncertain},
                            {"falls", falls},
                            {"fall_rate", rate},
                            {"beyond_bounds", beyond},
@@ -163,6 +173,7 @@ int main(int count, char** words) {
   cca::command_line line("the trot from many disturbances, on all cores");
   offer(line, o);
   return cca::run_program(count, words, line, [&] {
-    return o.engine == trot::engine::compiled ? run<compiled_trot>(o) : run<trot::simulated_trot>(o);
+    return o.engine == trot::engine::compiled ? run<cca::sim::compiled_oncilla_world>(o)
+                                              : run<cca::sim::world>(o);
   });
 }

@@ -4,6 +4,7 @@
 
 #include <cca/sim/oncilla/disturbance.hpp>
 
+#include "../../examples/trot/uncertain.hpp"
 #include "sweep.hpp"
 
 namespace uncertain {
@@ -15,11 +16,8 @@ template <class Controller, class Rolled, class Good>
 auto on_drawn_ground(const options& o, const Controller& start, double least, Rolled rolled, Good is_good) {
   return [&o, &start, least, rolled, is_good](const uncertainty& u, std::uint64_t seed) {
     Controller c = start;
-    c.template set<"robot.simulator">(u);
-    auto disturbance = cca::sim::disturbance::from_seed(seed, o.seconds);
-    const auto ground = ground_under(u, disturbance.friction);
-    disturbance.friction = ground.friction();
-    const auto figures = rolled(c, ground, disturbance, cca::sim::drawn_settings(u));
+    const auto figures = trot::on_drawn_ground(c, u, cca::sim::disturbance::from_seed(seed, o.seconds),
+                                               cca::sim::terrain::flat(), rolled);
     return verdict{!figures.fell && figures.cruise >= least, is_good(figures)};
   };
 }

@@ -6,19 +6,17 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
-#include <cca/sim/uncertain/uncertain_robot.hpp>
 
 #include "../../examples/combination_of_skills/command_line.hpp"
 #include "../../examples/combination_of_skills/rollout.hpp"
 #include "../../examples/combination_of_skills/summary.hpp"
+#include "../../examples/trot/uncertain.hpp"
 #include "sweep.hpp"
 
 namespace {
 
 template <class World>
-struct robot : cca::sim::robot<cca::robots::oncilla::as_built, cca::sim::uncertain<World>> {};
-template <class World>
-struct skilled : skills::architecture<robot<World>> {};
+struct skilled : skills::architecture<trot::uncertain_oncilla<World>> {};
 
 template <class World>
 int run(const uncertain::options& o, const std::string& shape) {

@@ -7,7 +7,6 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
-#include <cca/sim/uncertain/uncertain_robot.hpp>
 
 #include "../../examples/trot/report/bounds.hpp"
 #include "../../examples/trot/rollout.hpp"
@@ -16,13 +15,8 @@
 namespace {
 
 template <class World>
-struct robot : cca::sim::robot<cca::robots::oncilla::as_built, cca::sim::uncertain<World>> {};
-template <class World>
-struct trotting : trot::architecture<robot<World>> {};
-
-template <class World>
 int run(const uncertain::options& o, const std::string& config) {
-  cca::controller<trotting<World>> start;
+  cca::controller<trot::uncertain_trot<World>> start;
   if (config.empty()) start.load();
   else start.load(config);
   const double commanded = start.template get<"gait">().p.duty;
