@@ -113,8 +113,8 @@ double worth(const trot::statistics& s, double duty, const trial& t) {
          0.3 * std::abs(s.drift) / s.seconds - 0.3 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
 }
 
-// `start` is a controller that is loaded and not started; each run takes a copy of it. The runs of a generation
-// are those of the same robots and grounds, whatever gait they try.
+// `start` is a controller that is loaded and not started; each run takes a copy of it. The runs of a
+// generation are those of the same robots and grounds, whatever gait they try.
 template <class Controller>
 double worth(const Controller& start,
              const searched& what,
@@ -197,7 +197,8 @@ int search(const options& o, trot::all_cores& cores) {
     points.push_back(evolution.mean());
     const auto value = [&](std::size_t i) {
       const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
-      return worth(start, at_point(first, points[i]), trials, draw, o.uncertain, interrupted) - outside(points[i]);
+      return worth(start, at_point(first, points[i]), trials, draw, o.uncertain, interrupted) -
+             outside(points[i]);
     };
     const auto show = [&](std::size_t over) {
       char note[80];

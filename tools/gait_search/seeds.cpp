@@ -139,9 +139,9 @@ int run(const options& o) {
       "at least; cruise %.3f, %.3f at least; drift up to %.1f %%; roll up to %.1f, pitch up to %.1f deg; "
       "slip "
       "%.3f m/s on average, %.3f at most; friction %.1f W; duty %.3f %.3f %.3f %.3f, up to %.3f off\n",
-      all.size(), o.seconds, o.ground.name().c_str(), o.uncertain ? ", uncertain" : "", falls, 100 * rate, beyond, speed, slowest, cruise,
-      slowest_cruise, 100 * aside, roll * 57.2958, pitch * 57.2958, slip, most_slip, friction, duty[0],
-      duty[1], duty[2], duty[3], most_off_duty);
+      all.size(), o.seconds, o.ground.name().c_str(), o.uncertain ? ", uncertain" : "", falls, 100 * rate,
+      beyond, speed, slowest, cruise, slowest_cruise, 100 * aside, roll * 57.2958, pitch * 57.2958, slip,
+      most_slip, friction, duty[0], duty[1], duty[2], duty[3], most_off_duty);
   const int outcome = interrupted ? interrupted.exit_code() : o.bounds && beyond > 0 ? 1 : 0;
   if (o.summary.empty()) return outcome;
   const trot::json summary{{"seeds", all.size()},
