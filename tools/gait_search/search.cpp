@@ -6,11 +6,12 @@
 //   trot_search --engine compiled --uncertain --draws 3 --out robust.toml
 //
 // The value of a gait is its speed, less penalties for falling, drifting, rolling, pitching, for feet that
-// slip, and for feet that stand longer or shorter than commanded. It is tried on flat ground, over steps, up
-// a slope and down, with new disturbances in each generation; the worst of them counts as much as their mean.
-// So a gait that is good by luck is not kept. With --uncertain each run has a robot and a ground of its own,
-// too (examples/trot/uncertain.hpp). All gaits of a generation meet the same. To adapt the trot to another
-// robot, change the robot (robots/oncilla/body.hpp, oncilla_model.hpp) and search again.
+// slip, for feet that stand longer or shorter than commanded, and for a run beyond the bounds of trot_seeds.
+// It is tried on flat ground, over steps, up a slope and down, with new disturbances in each generation; the
+// worst of them counts as much as their mean. So a gait that is good by luck is not kept. With --uncertain
+// each run has a robot and a ground of its own, too (examples/trot/uncertain.hpp). All gaits of a generation
+// meet the same. To adapt the trot to another robot, change the robot (robots/oncilla/body.hpp,
+// oncilla_model.hpp) and search again.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -28,6 +29,7 @@
 
 #include "cma_es.hpp"
 #include "../../examples/trot/report/all_cores.hpp"
+#include "../../examples/trot/report/bounds.hpp"
 #include "../../examples/trot/report/engine.hpp"
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/report/statistics.hpp"
@@ -100,6 +102,7 @@ struct trial {
 // Less slip than this, and a smaller error of the duty factor, add no value.
 constexpr double steady_foot = 0.06, steadiest_foot = 0.10;  // m/s, of all feet and of the worst
 constexpr double near_duty = 0.07;
+constexpr double cost_of_beyond = 0.5;  // of a run that misses a bound: speed does not make up for it
 
 constexpr std::uint64_t first_of_search = 1000;  // of its seeds; trot_seeds judges with lower ones
 
@@ -110,7 +113,8 @@ double worth(const trot::statistics& s, double duty, const trial& t) {
   for (const double d : s.duty_factor) off_duty += std::max(0.0, std::abs(d - duty) - near_duty);
   return 3 * std::min(s.cruise, t.fast_enough) - 3 * std::max(0.0, s.foot_slip - steady_foot) -
          3 * std::max(0.0, worst_slip - steadiest_foot) - 1.5 * off_duty -
-         0.3 * std::abs(s.drift) / s.seconds - 0.3 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
+         0.3 * std::abs(s.drift) / s.seconds - 0.3 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport -
+         (trot::keeps(s, duty) ? 0 : cost_of_beyond);
 }
 
 // `start` is a controller that is loaded and not started; each run takes a copy of it. The runs of a

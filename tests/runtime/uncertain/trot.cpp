@@ -1,5 +1,5 @@
-// The trot of a robot that differs from its description (examples/trot/uncertain.hpp): what is drawn, and that
-// all of it comes to the run.
+// The trot of a robot that differs from its description (examples/trot/uncertain.hpp): what is drawn, and
+// that all of it comes to the run.
 #include <doctest/doctest.h>
 
 #include <algorithm>
