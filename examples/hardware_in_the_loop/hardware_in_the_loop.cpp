@@ -137,7 +137,8 @@ struct in_one_process : cca::robot_program<observed<memory_end>> {
          .end = [this](controller_type&) { far.push({0, 0, 0}); }});
     offers.push_back({.name = "put_down",
                       .help = "in a pause: lifts it and puts it down as at its start, for a start anew",
-                      .begin = [this](controller_type&, auto) { far.put_down(hil::put_down(), {}); }});
+                      .begin = [this](controller_type&, auto) { far.put_down(hil::put_down(), {}); },
+                      .only_at_rest = true});
   }
 
   void prepare(controller_type& c) override {

@@ -54,6 +54,8 @@ struct posture {
     return {turn, leaning::vector_type(hips, knees)};
   }
 
+  void on_start() { aside = slope = last_roll = turn = hips = knees = 0; }
+
 private:
   double aside = 0;            // rad s
   double slope = 0;            // rad, the mean pitch

@@ -44,6 +44,8 @@ struct stride_oscillator {
     return {cca::math::atan2(state.y(), state.x()), std::sqrt(state.squaredNorm())};
   }
 
+  void on_start() { state = {rest, 0}; }
+
 private:
   static constexpr double rest = 0.01;
   Eigen::Vector2d state{rest, 0};

@@ -1,6 +1,8 @@
 // A fault that does not end a program: it is held until somebody resumes, starts anew, or ends the program.
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -76,6 +78,17 @@ struct careful : cca::graph<cca::rate<1000>,
                             cca::wire<"motor.heat", "guard.heat">,
                             cca::wire<"guard.more", "motor.more">> {};
 struct ways : cca::modes<cca::mode<"bold", careful>, cca::mode<"calm", careful>>, cca::recordable {};
+
+struct thoughtful : cca::graph<cca::rate<1000>,
+                               cca::node<"guard", guard>,
+                               cca::node<"motor", motor>,
+                               cca::wire<"motor.heat", "guard.heat", cca::delayed<1>>,
+                               cca::wire<"guard.more", "motor.more", cca::delayed<1>>> {};
+struct two_processes : cca::deployment<thoughtful,
+                                       cca::environment<"body", cca::nodes<"motor">>,
+                                       cca::environment<"mind", cca::other_nodes>,
+                                       cca::tolerate<1000>>,
+                       cca::recordable {};
 
 template <class Architecture>
 struct program : cca::robot_program<Architecture> {
@@ -472,4 +485,41 @@ TEST_CASE("door: a loop that only runs does not hold a fault, and says so") {
   });
   c.run(cca::for_<60>{}, cca::at_wall_clock(), door);
   window.join();
+}
+
+TEST_CASE("door: a fault in one process ends all, and the door of each says which before it closes") {
+  const std::string memory = "/cca_two_doors_" + std::to_string(::getpid());
+  const auto process = [&](const char* which) {
+    return words{"--door", "0", "--only", which, "--shared-memory", memory};
+  };
+  child body(cca::robot_main<program<two_processes>>, process("body"));
+  child mind(cca::robot_main<program<two_processes>>, process("mind"));
+  body.wait_for("started");
+  mind.wait_for("started");
+  const auto of_body = where_in(body.out + body.err), of_mind = where_in(mind.out + mind.err);
+  client at_body(of_body.port, of_body.token), at_mind(of_mind.port, of_mind.token);
+  for (client* one : {&at_body, &at_mind}) one->subscribe(9, one->channel("/cca/status"));
+  const auto runs = [](const json& now) { return now["state"] == "running" && now["beat"] > 100; };
+  CHECK_FALSE(status_of(at_body, runs).is_null());
+  CHECK(at_mind.call("/cca/take_command") == "");
+  at_mind.set("guard.more", 70, "set");
+  for (client* one : {&at_body, &at_mind}) {
+    json last;
+    one->waits([&] {
+      for (const auto& s : one->samples)
+        if (s.subscription == 9) last = json::parse(s.data);
+      one->samples.clear();
+      return one->wire.is_closed;
+    });
+    CHECK(one->wire.is_closed);
+    MESSAGE(last.dump(), " closed ", one->closed_with, " ", one->why_closed);
+    CHECK(last["state"] == "faulted");
+    CHECK(last["fault"] == "the motor is too hot");
+    CHECK(last["fault_path"] == "guard");
+  }
+  for (child* one : {&body, &mind}) {
+    CHECK(one->code() == 1);
+    CHECK(one->err.find("fault in `guard`") != std::string::npos);
+  }
+  CHECK(body.out.find("braked") != std::string::npos);
 }

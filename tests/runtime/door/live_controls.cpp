@@ -263,16 +263,17 @@ TEST_CASE("door: a file begins and ends while the controller runs") {
 
 TEST_CASE("door: a program's own commands, held and released") {
   std::vector<double> pushed;
-  int released = 0;
+  int released = 0, lifted = 0;
   rig<controller> r(
       1, {{.name = "push",
            .help = "pushes the trunk",
            .arguments = {{"forward", 20, -60, 60, "N"}, {"up", 0, -5, 5, "N"}},
            .begin = [&](controller&, auto newtons) { pushed.assign(newtons.begin(), newtons.end()); },
            .end = [&](controller&) { ++released; }},
-          {.name = "tap", .begin = [&](controller&, auto) { pushed.clear(); }}});
+          {.name = "tap", .begin = [&](controller&, auto) { pushed.clear(); }},
+          {.name = "lift", .begin = [&](controller&, auto) { ++lifted; }, .only_at_rest = true}});
   const auto& told = r.controls.description().commands;
-  REQUIRE(told.size() == 2);
+  REQUIRE(told.size() == 3);
   CHECK(told[0].is_held);
   CHECK(told[0].arguments[0].upper == 60);
   CHECK_FALSE(told[1].is_held);
@@ -282,7 +283,7 @@ TEST_CASE("door: a program's own commands, held and released") {
   r.beside([&] {
     CHECK(call("push", {{"forward", number(61)}}).why == "push: forward: expected a number from -60 to 60 N");
     CHECK(call("push", {{"side", number(1)}}).why == "push: there is no argument `side`");
-    CHECK(call("shove", {}).why == "there is no command `shove`: it has push, tap");
+    CHECK(call("shove", {}).why == "there is no command `shove`: it has push, tap, lift");
     CHECK(r.ask({.about = what::release, .text = "tap"}).why.find("over at once") != std::string::npos);
     CHECK(pushed.empty());
     CHECK(call("push", {{"forward", whole(-30)}}).is == how::done);
@@ -291,6 +292,14 @@ TEST_CASE("door: a program's own commands, held and released") {
     CHECK(released == 1);
     CHECK(call("push", {}).is == how::done);
     CHECK(pushed == std::vector<double>{20, 0});
+    CHECK(call("lift", {}).why == "lift: not while it runs: pause it first");
+    CHECK(r.ask({.about = what::pause}).is == how::done);
+    CHECK(call("lift", {}).is == how::done);
+    CHECK(lifted == 1);
+    CHECK(r.ask({.about = what::go_on}).is == how::done);
+    wait_until([&] { return !r.live.is_paused(); });
+    CHECK(call("lift", {}).is == how::refused);
+    CHECK(lifted == 1);
   });
   CHECK(released == 2);  // the run is over
   CHECK_THROWS_AS((cca::detail::offered_commands<controller>({{.name = "none"}})), cca::refused);

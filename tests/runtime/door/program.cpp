@@ -10,6 +10,7 @@
 #include <cca/deployment.hpp>
 #include <cca/door.hpp>
 #include <cca/main.hpp>
+#include <cca/record.hpp>
 
 #include "../programs/child.hpp"
 #include "../record/graphs.hpp"
@@ -114,8 +115,10 @@ TEST_CASE("door: a program that waits ends at a signal and at a stop") {
 }
 
 TEST_CASE("door: what happens when the one who commands is gone") {
-  const auto run = [](const char* what) {
-    child walk(cca::robot_main<program<graph>>, {"--door", "0", "--on-lost", what});
+  const record_test::temporary_file kept("kept");
+  std::string said;
+  const auto run = [&](const char* what) {
+    child walk(cca::robot_main<program<graph>>, {"--door", "0", "--on-lost", what, "--record", kept.path});
     walk.wait_for("started");
     const where at = where_in(walk.out + walk.err);
     client looks(at.port, at.token);
@@ -127,7 +130,11 @@ TEST_CASE("door: what happens when the one who commands is gone") {
       commands.wire.reset();
     }
     walk.wait_for("released");
-    if (std::string(what) == "stop") return walk.code();
+    if (std::string(what) == "stop") {
+      const int code = walk.code();
+      said = walk.err;
+      return code;
+    }
     CHECK(door_test::soon([&] { return looks.call("/cca/take_command").empty(); }));
     looks.subscribe(1, looks.channel("/cca/status"));
     const bool holds = std::string(what) == "hold";
@@ -138,9 +145,27 @@ TEST_CASE("door: what happens when the one who commands is gone") {
       return false;
     }));
     CHECK(looks.call("/cca/stop") == "");
-    return walk.code();
+    const int code = walk.code();
+    said = walk.err;
+    return code;
   };
-  for (const char* const what : {"stop", "hold", "go-on"}) CHECK(run(what) == 0);
+  const auto noted = [&] {
+    for (const auto& [name, entries] : cca::recording::mcap_reader(kept.path).metadata())
+      if (name == "cca.program" && entries.contains("ended")) return entries.at("ended");
+    return std::string("nothing");
+  };
+  const std::string lost = " lost its connection while it commanded, which has ended the run after ";
+  const std::string told = " has ended the run through the door after ";
+  for (const char* const what : {"stop", "hold", "go-on"}) {
+    CAPTURE(what);
+    CHECK(run(what) == 0);
+    CAPTURE(said);
+    const bool is_lost = std::string(what) == "stop";
+    CHECK((said.find("walk: 127.0.0.1:") != std::string::npos));
+    CHECK((said.find(lost) != std::string::npos) == is_lost);
+    CHECK((said.find(told) != std::string::npos) == !is_lost);
+    CHECK(said.find(noted()) != std::string::npos);
+  }
 }
 
 TEST_CASE("door: an option that is wrong is refused in words, and nothing runs") {
@@ -189,8 +214,10 @@ TEST_CASE("door: in a program of one's own") {
       seen = static_cast<std::int64_t>(looks.samples.size());
       CHECK(looks.call("/cca/stop") == "");
     });
+    CHECK(door.ended_by() == "");
     c.run(cca::for_<30>{}, cca::at_wall_clock(), door);
     window.join();
+    CHECK(door.ended_by().ends_with(" has ended the run through the door"));
   }
   CHECK(seen > 50);
   CHECK(c.beat_index() < 30'000);

@@ -187,6 +187,17 @@ TEST_CASE("status and describe") {
   CHECK_NE(now.out.find("\nenvironments.mind.late 17\n"), std::string::npos);
   CHECK_EQ(nlohmann::json::parse(call(p.address(), {"status", "--json"}, "").out)["environments"][0]["name"],
            "robot");
+  CHECK_EQ(now.out.find("twins"), std::string::npos);
+  door_test::client twin(p.door.port(), door_test::token);
+  twin.text({{"op", "cca.twin"}, {"says", "the same, bit for bit: 9 beats"}});
+  CHECK(door_test::soon([&] {
+    return call(p.address(), {"status"}, "").out.find("\ntwins.127.0.0.1:") != std::string::npos;
+  }));
+  const ran told = call(p.address(), {"status"}, "");
+  const auto line = told.out.find("\ntwins.127.0.0.1:");
+  const auto says = told.out.find(" the same, bit for bit: 9 beats\n", line);
+  CHECK_NE(says, std::string::npos);
+  CHECK_EQ(told.out.find('\n', line + 1), told.out.find('\n', says));  // of one line
   const ran all = call(p.address(), {"describe"}, "");
   for (const char* const line :
        {"program oncilla_trot\n", "mode stand\n", "part arm\n", "node sink\n",

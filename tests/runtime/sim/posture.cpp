@@ -1,11 +1,14 @@
 // The trot's posture alone: the signs of heading and leaning, their bounds, and an orientation that is NaN.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include <doctest/doctest.h>
 
 #include "../../../examples/trot/posture.hpp"
+#include "../../../examples/trot/stride_oscillator.hpp"
 
 namespace {
 
@@ -36,6 +39,31 @@ constexpr int settled = 1000;  // 10 s
 }  // namespace
 
 TEST_SUITE("posture") {
+  TEST_CASE("after a start the posture and the gait's oscillator begin as the first time") {
+    trunk used;
+    used.hold(0.1, 0.2, 0.3, settled);
+    used.posture.on_start();
+    const auto again = used.hold(0.05, 0.1, 0.1, 1), first = trunk().hold(0.05, 0.1, 0.1, 1);
+    CHECK(again.turn == first.turn);
+    CHECK(again.hips == first.hips);
+    CHECK(again.knees == first.knees);
+
+    trot::stride_oscillator gait;
+    const auto beats = [&](int count) {
+      double phase = 0, amplitude = 0;
+      for (std::int64_t k = 0; k < count; ++k) {
+        const cca::beat now(k, 1'000'000, 1);
+        const auto [at, radius] = gait.process({1.0, now.time(), true}, now);
+        phase = at.vector()[0], amplitude = radius.vector()[0];
+      }
+      return std::pair(phase, amplitude);
+    };
+    const auto begun = beats(1), went_on = beats(1000);
+    CHECK(went_on.second > 0.9);
+    gait.on_start();
+    CHECK(beats(1) == begun);
+  }
+
   TEST_CASE("it turns against the yaw") {
     CHECK(trunk().hold(0, 0, 0.1, 1).turn < 0);  // to the left: to the right
     CHECK(trunk().hold(0, 0, -0.1, 1).turn > 0);

@@ -153,6 +153,12 @@ public:
                                {"what", std::string(changed)}});
   }
 
+  // A sentence of what has ended the run through the door; empty: nothing. Any thread.
+  std::string ended_by() const {
+    const std::scoped_lock lock(guard);
+    return cause_of_end;
+  }
+
   // ---- a loop's, between two beats ----
 
   // Whether the door has asked for something since this loop's last look: so a beat after which nothing is
@@ -251,7 +257,8 @@ private:
   }
   door_outcome call(const door_request& request) {
     if (!commands.is_taken()) return {door_outcome::how::busy, {}};
-    if (std::string why = commands.ask(request); !why.empty()) return {door_outcome::how::refused, why};
+    if (std::string why = commands.ask(request, control.is_paused() || control.anew.rests());
+        !why.empty()) return {door_outcome::how::refused, why};
     begun = about::command;
     return {door_outcome::how::begun, {}};
   }
@@ -280,8 +287,11 @@ private:
         return recorded.begin_file(request.text);
       case what::end_recording:
         return recorded.end_file();
-      default:
+      default: {
+        const std::scoped_lock lock(guard);
+        if (cause_of_end.empty()) cause_of_end = request.text;  // before the loop can end
         return live.end_run();
+      }
     }
   }
 
@@ -294,7 +304,8 @@ private:
   double speed;  // as it was set here
   mutable std::array<std::atomic<bool>, array_size(the_run + 1)> wanted{};
   enum class about { request, command, pause, anew } begun = about::request;  // what `outcome` tells of
-  mutable std::mutex guard{};  // of what the resting loop tells
+  mutable std::mutex guard{};  // of what the resting loop tells, and of the next
+  std::string cause_of_end{};
   std::vector<std::string> causes{};
   std::string path_of_fault{};
   std::int64_t told_at = -1;  // the beat of the causes

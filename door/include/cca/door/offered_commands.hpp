@@ -43,13 +43,14 @@ public:
   // ---- the door's thread ----
 
   bool is_taken() const noexcept { return !is_asked.load(std::memory_order_acquire); }
-  // Why not; empty: it is asked.
-  std::string ask(const door_request& request) {
+  // Why not; empty: it is asked. `rests`: it makes no beats now.
+  std::string ask(const door_request& request, bool rests) {
     const std::size_t number = number_of(request.text);
     if (number == all.size()) return "there is no command `" + request.text + "`" + known();
     const command& one = all[number];
     const bool ends = request.about == door_request::what::release;
     if (ends && !one.end) return "`" + one.name + "` is over at once: there is nothing to release";
+    if (one.only_at_rest && !rests) return one.name + ": not while it runs: pause it first";
     if (!ends)
       for (std::size_t a = 0; a < one.arguments.size(); ++a) values[a] = one.arguments[a].value;
     for (const auto& [name, value] : request.values)

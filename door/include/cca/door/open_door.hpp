@@ -133,6 +133,9 @@ public:
   // Into a file from now on; docs/recordings.md.
   void record(const std::string& file) { recorded.begin_file(file); }
 
+  // Who has ended the run through this door, or whose lost connection has, in a sentence; empty: nobody.
+  std::string ended_by() const { return on.controls.ended_by(); }
+
   // Runs `c` with this door, for a time, at a pace; and again, as long as time is left, where a client
   // resumes it after a fault, or starts it anew after a fault or in a pause. While a fault is held the robot
   // idles. The state at the end: `faulted` where the run was stopped while a fault was held.
@@ -200,6 +203,7 @@ public:
   std::string token() const { return {}; }
   std::string one_time_url() const { return {}; }
   void record(const std::string&) {}
+  std::string ended_by() const { return {}; }
 };
 
 template <class Controller>

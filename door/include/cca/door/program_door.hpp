@@ -39,6 +39,7 @@ struct program_door<Host<Graph>> : door_on<Host<Graph>> {
   }
 
   bool ends_run() const { return this->live.is_ending(); }
+  std::string ended_by() const { return this->controls.ended_by(); }
 
   static door_settings settings_of(const run_settings& s) {
     door_settings all;

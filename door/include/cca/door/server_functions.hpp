@@ -280,9 +280,12 @@ struct door_server::inside {
     });
   }
 
-  // The program ends: nothing that a client held is the door's to release. Each client gets a last word, if
-  // it reads it within a moment.
+  // The program ends: nothing that a client held is the door's to release. Each client gets what has been
+  // said until now, how it has ended, and a last word, if it reads them within a moment.
   void end_all() {
+    take_samples();
+    hub->regularly(now());
+    send_all();
     is_ending = true;
     error ignored;
     ignored = acceptor.close(ignored);

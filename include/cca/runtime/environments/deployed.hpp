@@ -251,7 +251,7 @@ private:
     if constexpr (detail::LooksAfterEach<Between, deployed>)
       loops.for_each([&]<int E>(auto& loop) {
         if (E != environment) return;
-        looked_at[E] = loop.next_beat();
+        looked_at[E] = loop.beat_of_change();
         between.template after_beat<E>(*this);
         looked_at[E] = 0;
       });
@@ -273,8 +273,11 @@ private:
         loops, E, here, terms, idle_beats, before, refusals, [this] { idle(); }, after_beat_of_others);
     if constexpr (E > 0) {
       const detail::asked_after_beat asked{after_beat};
-      if (terms.is_exact) first.follow_exactly(terms.end, asked, [&look] { look(E); });
-      else first.follow(terms.end, asked);
+      const auto look_here = [&look] { look(E); };
+      detail::function_ref<void()> meanwhile;
+      if constexpr (detail::LooksAfterEach<Between, deployed>) meanwhile = look_here;
+      if (terms.is_exact) first.follow_exactly(terms.end, asked, look_here);
+      else first.follow(terms.end, asked, meanwhile);
     } else {
       runs.begin(pace, period());
       const detail::obeyed_control<deployed, Pace, Between> obey{*this, runs, pace, between};

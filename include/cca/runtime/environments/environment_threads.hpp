@@ -135,11 +135,13 @@ private:
 
   template <int E, class Loop>
   static void follow(Loop& loop, const terms_of_run& terms, function_ref<void(int)> after_beat) {
+    const auto look = [&] { after_beat(E); };
     const auto goes_on = [&] { return after_beat(E), true; };
     asked_after_beat asked;
-    if (after_beat) asked.ask = goes_on;
+    function_ref<void()> meanwhile;
+    if (after_beat) asked.ask = goes_on, meanwhile = look;
     if (terms.is_exact) loop.follow_exactly(terms.end, asked, asked);
-    else loop.follow(terms.end, asked);
+    else loop.follow(terms.end, asked, meanwhile);
   }
 
   // The beats of a loop are over.

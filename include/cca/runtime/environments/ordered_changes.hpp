@@ -28,7 +28,7 @@ protected:
   std::int64_t next_of_first_here() const {
     std::int64_t next = 0;
     self().loops.for_each([&]<int E>(const auto& loop) {
-      if (E == first_here()) next = loop.next_beat();
+      if (E == first_here()) next = loop.beat_of_change();
     });
     return next;
   }
@@ -51,8 +51,7 @@ protected:
     if constexpr (has_orders<D>)
       self().loops.for_each([&]<int E>(auto& loop) {
         if (E != first_here()) return;
-        const std::int64_t next =
-            is_exact ? loop.k : std::max<std::int64_t>(loop.k, self().shared->environments[0].begun + 1);
+        const std::int64_t next = is_exact ? loop.k : self().shared->environments[0].begun + 1;
         in = beat_of_order<D>(next, is_exact);
         send_order<D, E>(*self().shared, what, number, in, is_exact);
       });

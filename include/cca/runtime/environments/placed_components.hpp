@@ -239,7 +239,7 @@ public:
   void parameters_changed_in() noexcept {
     if constexpr (Recordable<D>) {
       auto& loop = this->loops.template at<E>();
-      if (auto* const tap = loop.state.tap.get()) tap->parameters_changed(loop.state, loop.next_beat());
+      if (auto* const tap = loop.state.tap.get()) tap->parameters_changed(loop.state, loop.beat_of_change());
     }
   }
 };

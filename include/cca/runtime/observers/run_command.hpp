@@ -34,6 +34,7 @@ struct run_command {
   std::vector<argument> arguments{};
   std::function<void(Controller&, std::span<const double>)> begin{};
   std::function<void(Controller&)> end{};
+  bool only_at_rest = false;  // refused while it runs: in a pause, or where there is no beat
 };
 
 }  // namespace cca

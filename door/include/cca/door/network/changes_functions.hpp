@@ -125,6 +125,7 @@ inline void hub::request(
     return answer(c.id, one, {door_outcome::how::refused, why});
   }
   door_task task{.client = c.id, .name = c.name, .what = text_of(*wanted, of.name), .request = *wanted};
+  if (is_stop) task.request.text = c.name + " has ended the run through the door";
   task.may_set = of.about == door_request::what::load;
   task.is_held = of.is_held;
   task.answer = [this, client = c.id, one](const door_outcome& outcome) { answer(client, one, outcome); };

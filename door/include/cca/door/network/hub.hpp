@@ -123,7 +123,7 @@ private:
   void tell_rights();
   std::string take_command(door_client&);  // empty, or why not
   void give_command(door_client&, time_point now);
-  void lose_command(time_point now);
+  void lose_command(const std::string& client, time_point now);
   void release(const std::string& command, time_point now);
   std::string why_not(const door_client&, bool needs_command) const;
   void log(const std::string& client, const std::string& what, bool is_change);

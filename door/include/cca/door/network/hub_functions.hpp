@@ -66,7 +66,7 @@ inline void hub::leave(door_client& c, time_point now) {
   if (!commanded) return;
   commander = nullptr;
   log(name, "lost its connection while it commanded", true);
-  lose_command(now);
+  lose_command(name, now);
   tell_rights();
 }
 

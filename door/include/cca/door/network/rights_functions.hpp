@@ -55,13 +55,15 @@ inline void hub::give_command(door_client& c, time_point now) {
 }
 
 // The client is gone already. First what it held ends, then happens what the program was told at start.
-inline void hub::lose_command(time_point now) {
+inline void hub::lose_command(const std::string& client, time_point now) {
   using about = door_request::what;
   if (settings.on_lost != when_lost::go_on) {
     door_task task{.name = "door",
                    .what = settings.on_lost == when_lost::stop ? "stops the run: its commander is lost"
                                                                : "holds: its commander is lost"};
     task.request.about = settings.on_lost == when_lost::stop ? about::end_run : about::pause;
+    if (settings.on_lost == when_lost::stop)
+      task.request.text = client + " lost its connection while it commanded, which has ended the run";
     requests.add_first(std::move(task), now);
   }
   for (const std::string& one : std::exchange(held, {})) release(one, now);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include <cca/base/separate/function_ref.hpp>
 #include <cca/runtime/environments/loop/free_arrivals.hpp>
 #include <cca/runtime/environments/links/links_of_environment.hpp>
 #include <cca/runtime/pace.hpp>
@@ -59,8 +60,8 @@ protected:
 
   // From the first beat of the run on, until its last one is done.
   template <class AfterCycle>
-  void run_freely(std::int64_t end, AfterCycle after_cycle) {
-    if (loop().k == end || !loop().wait_for_beat(loop().k, after_cycle)) return;
+  void run_freely(std::int64_t end, AfterCycle after_cycle, function_ref<void()> meanwhile) {
+    if (loop().k == end || !loop().wait_for_beat(loop().k, after_cycle, meanwhile)) return;
     auto& shared = loop().shared();
     const auto is_over = [&] {
       return !loop().goes_on() || shared.position(0) >= exchange<D>::position_of(end);
@@ -72,7 +73,7 @@ protected:
       if (const std::int64_t next = loop().begun() + 1;
           next < end &&
           (shared.environments[0].is_paused.load(std::memory_order_acquire) || is_stopped_wholly()))
-        if (!loop().wait_for_beat(next, after_cycle)) return;
+        if (!loop().wait_for_beat(next, after_cycle, meanwhile)) return;
       run_cycle();
       if (loop().active_at - asked_at > most_trust) {
         asked_at = loop().active_at;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/separate/function_ref.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/environments/loop/active_beats.hpp>
 #include <cca/runtime/environments/loop/cycles.hpp>
@@ -41,7 +42,7 @@ class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D>,
   friend mode_of_loop<environment_loop, D, E>;
   friend agreed_changes<D, E>;
   friend beats_of_others<environment_loop>;
-  using first_beats::wait_for_beat;
+  using first_beats::wait_for_beat, first_beats::wait_for_last_beat;
   using asked = asked_of_loop<environment_loop, D, E>;
   using asked::tell_reached, asked::tell_skipped;
   static constexpr std::int64_t period = counts_of<D>.period;
@@ -147,10 +148,11 @@ public:
   }
 
   // A beat that is still running when the next should begin is an overrun; the next begins with the first
-  // environment's next beat. It is the newest that is due: those in between are lost.
+  // environment's next beat. It is the newest that is due: those in between are lost. `meanwhile`, if it is
+  // one: a few times a second and more while it waits for a beat, also where none is left for it.
   template <class AfterBeat>
-  void follow(std::int64_t end, AfterBeat after_beat) {
-    if constexpr (is_free) return this->run_freely(end, after_beat);
+  void follow(std::int64_t end, AfterBeat after_beat, function_ref<void()> meanwhile) {
+    if constexpr (is_free) return this->run_freely(end, after_beat, meanwhile);
     bool is_running = false;
     for (; !is_asleep_until(end) && goes_on(); is_running = true) {
       const bool is_overrun = is_running && begun() >= k;
@@ -160,16 +162,23 @@ public:
         state.observers().overrun(beat - k);
       }
       if (beat >= end) return lose_until(end);
-      if (!wait_for_beat(beat, after_beat)) return;
+      if (!wait_for_beat(beat, after_beat, meanwhile)) return;
       lose_until(newest_due(begun()));
       run_timed_beat();
       announce();
       if (!after_beat()) stop();
     }
+    if (meanwhile) this->wait_for_last_beat(end, meanwhile);
   }
 
   // No environment begins a further beat.
   void stop() { own().stop_at.store(k, std::memory_order_release); }
+
+  // What another thread changes now comes before this beat. Asleep, that is not the next one that it runs.
+  std::int64_t beat_of_change() const {
+    if (is_free || state.is_exact || !state.shared) return next_beat();
+    return std::min(k, begun() + 1);
+  }
 
   // ---- at the end of a run ----
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <cca/base/separate/function_ref.hpp>
 #include <cca/graph/deployment/environments.hpp>
 #include <cca/runtime/environments/exchange/exchange.hpp>
 #include <cca/runtime/environments/waiting/lost_contact.hpp>
@@ -19,9 +20,10 @@ namespace cca::detail {
 template <class Loop, class D>
 class beats_of_first {
 protected:
-  // Until it begins this beat. False: a fault or the end has come before it.
+  // Until it begins this beat. False: a fault or the end has come before it. `meanwhile`, if it is one: each
+  // time before it sleeps.
   template <class AfterBeat>
-  bool wait_for_beat(std::int64_t beat, AfterBeat& goes_on_after) {
+  bool wait_for_beat(std::int64_t beat, AfterBeat& goes_on_after, function_ref<void()> meanwhile) {
     auto& shared = loop().shared();
     const auto& first = shared.environments[0];
     const std::int64_t since = monotonic_clock::now();
@@ -41,6 +43,7 @@ protected:
         loop().state.look_for(0, loop().position() - 1, [&] { return loop().begun() >= beat; });
       idles_at = std::max(idles_at, std::max(since, due) + interval / 2);
       if (now < idles_at) {
+        if (meanwhile) meanwhile();
         shared.ends.wait_until(before, std::clamp(due, now + shortest_sleep, now + longest_sleep(interval)));
         continue;
       }
@@ -54,15 +57,29 @@ protected:
     }
   }
 
+  // Until the first environment has begun the last beat before `end`, of which this one needs none.
+  void wait_for_last_beat(std::int64_t end, function_ref<void()> meanwhile) {
+    auto& shared = loop().shared();
+    const std::int64_t interval = std::max(counts_of<D>.period, longest_rest);
+    const auto is_over = [&] { return !loop().goes_on() || loop().begun() >= end - 1; };
+    for (;;) {
+      const std::uint32_t before = shared.ends.count();
+      if (is_over()) return;
+      loop().state.look_for(0, exchange<D>::position_of(loop().begun()), is_over);
+      meanwhile();
+      shared.ends.wait_until(before, monotonic_clock::now() + interval);
+    }
+  }
+
 private:
   Loop& loop() { return static_cast<Loop&>(*this); }
 
   static constexpr std::int64_t longest_silence = 10'000'000;  // then it is asked whether it is gone
-  static constexpr std::int64_t shortest_sleep = 20'000;
+  static constexpr std::int64_t shortest_sleep = 20'000, longest_rest = 20'000'000;
   // The end of a run wakes a thread, but a transport may bring it late: an environment that must react to a
   // fault looks in each beat.
   static constexpr std::int64_t longest_sleep(std::int64_t interval) {
-    return std::max(interval, Loop::has_hooks_of_resources ? shortest_sleep : 20'000'000);
+    return std::max(interval, Loop::has_hooks_of_resources ? shortest_sleep : longest_rest);
   }
 };
 
