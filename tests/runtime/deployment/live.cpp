@@ -50,12 +50,11 @@ struct split : cca::deployment<watched_graph,
                                cca::tolerate<1000000>> {};
 using played = cca::deployed<split>;
 
-struct seldom : cca::deployment<
-                    cca::graph<cca::rate<1000>,
-                               cca::node<"robot", source, cca::timed<1>>,
-                               cca::node<"planner", source, cca::stoppable<cca::timed<60000>>>>,
-                    cca::environment<"body", cca::nodes<"robot">>,
-                    cca::environment<"plans", cca::other_nodes>> {};
+struct seldom : cca::deployment<cca::graph<cca::rate<1000>,
+                                           cca::node<"robot", source, cca::timed<1>>,
+                                           cca::node<"planner", source, cca::stoppable<cca::timed<60000>>>>,
+                                cca::environment<"body", cca::nodes<"robot">>,
+                                cca::environment<"plans", cca::other_nodes>> {};
 
 struct guard {
   auto process(cca::beat now) -> cca::fault {

@@ -502,7 +502,7 @@ TEST_CASE("door: a fault in one process ends all, and the door of each says whic
   const auto runs = [](const json& now) { return now["state"] == "running" && now["beat"] > 100; };
   CHECK_FALSE(status_of(at_body, runs).is_null());
   CHECK(at_mind.call("/cca/take_command") == "");
-  at_mind.set("guard.more", 70, "set");
+  at_mind.set("guard.more", 90, "set");
   for (client* one : {&at_body, &at_mind}) {
     json last;
     one->waits([&] {

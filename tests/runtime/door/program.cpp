@@ -150,7 +150,9 @@ TEST_CASE("door: what happens when the one who commands is gone") {
     return code;
   };
   const auto noted = [&] {
-    for (const auto& [name, entries] : cca::recording::mcap_reader(kept.path).metadata())
+    cca::recording::mcap_reader read(kept.path);
+    for (cca::recording::mcap_message m; read.next(m);) {}
+    for (const auto& [name, entries] : read.metadata())
       if (name == "cca.program" && entries.contains("ended")) return entries.at("ended");
     return std::string("nothing");
   };

@@ -190,9 +190,8 @@ TEST_CASE("status and describe") {
   CHECK_EQ(now.out.find("twins"), std::string::npos);
   door_test::client twin(p.door.port(), door_test::token);
   twin.text({{"op", "cca.twin"}, {"says", "the same, bit for bit: 9 beats"}});
-  CHECK(door_test::soon([&] {
-    return call(p.address(), {"status"}, "").out.find("\ntwins.127.0.0.1:") != std::string::npos;
-  }));
+  CHECK(door_test::soon(
+      [&] { return call(p.address(), {"status"}, "").out.find("\ntwins.127.0.0.1:") != std::string::npos; }));
   const ran told = call(p.address(), {"status"}, "");
   const auto line = told.out.find("\ntwins.127.0.0.1:");
   const auto says = told.out.find(" the same, bit for bit: 9 beats\n", line);

@@ -102,9 +102,10 @@ struct door_request {
     release
   } about = what::pause;
   std::vector<std::pair<std::string, door_value>> values{};  // set: path and value; call: argument and value
-  std::string text{};   // a file, a part, a mode, the name of a command; end_run: what has ended it, for a person
-  std::string scope{};                                       // load, save: a component or a graph; empty: all
-  double number = 0;                                         // speed; step: how many beats
+  // A file, a part, a mode, the name of a command; end_run: what has ended the run, for a person.
+  std::string text{};
+  std::string scope{};  // load, save: a component or a graph; empty: all
+  double number = 0;    // speed; step: how many beats
 };
 
 struct door_outcome {

@@ -257,8 +257,8 @@ private:
   }
   door_outcome call(const door_request& request) {
     if (!commands.is_taken()) return {door_outcome::how::busy, {}};
-    if (std::string why = commands.ask(request, control.is_paused() || control.anew.rests());
-        !why.empty()) return {door_outcome::how::refused, why};
+    if (std::string why = commands.ask(request, control.is_paused() || control.anew.rests()); !why.empty())
+      return {door_outcome::how::refused, why};
     begun = about::command;
     return {door_outcome::how::begun, {}};
   }

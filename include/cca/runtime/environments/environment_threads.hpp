@@ -83,7 +83,11 @@ public:
               not_ready.fetch_sub(1, std::memory_order_release);
               begins.wait(false);
               follow<E>(loop, terms, after_beat);
-              end(loop, own, false, [this] { return not_over.load(std::memory_order_acquire) == 0; });
+              end(
+                  loop, own, false, [this] { return not_over.load(std::memory_order_acquire) == 0; },
+                  [after_beat] {
+                    if (after_beat) after_beat(E);
+                  });
             },
             &scheduling);
         not_over.fetch_add(1, std::memory_order_relaxed);  // it waits for `begins`, so it has not ended yet
@@ -129,7 +133,7 @@ private:
       return std::ranges::all_of(threads, [](polled_thread& t) { return t.has_ended(); });
     };
     loops.for_each([&]<int E>(auto& loop) {
-      if (E == first_here) end(loop, idle, true, all_have_ended);
+      if (E == first_here) end(loop, idle, true, all_have_ended, [] {});
     });
   }
 
@@ -144,15 +148,19 @@ private:
     else loop.follow(terms.end, asked, meanwhile);
   }
 
-  // The beats of a loop are over.
+  // The beats of a loop are over. `look`: after each time that it idles.
   template <class Loop>
-  void end(Loop& loop, idle_beats& own, bool is_first, function_ref<bool()> is_over) {
+  void end(Loop& loop,
+           idle_beats& own,
+           bool is_first,
+           function_ref<bool()> is_over,
+           function_ref<void()> look) {
     loop.handle_fault();
     loop.tell_end();
     own.begin(loop.last_active());
     not_over.fetch_sub(1, std::memory_order_release);
     if (Loop::has_hooks_of_resources || is_first)
-      own.until([&](patience&) { return is_over(); }, [&] { loop.idle(); });
+      own.until([&](patience&) { return is_over(); }, [&] { loop.idle(), look(); });
   }
 
   environment_loops<D>& loops;

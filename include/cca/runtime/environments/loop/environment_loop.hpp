@@ -168,7 +168,8 @@ public:
       announce();
       if (!after_beat()) stop();
     }
-    if (meanwhile) this->wait_for_last_beat(end, meanwhile);
+    // With resource nodes it idles until all have ended.
+    if (meanwhile && !has_hooks_of_resources) this->wait_for_last_beat(end, meanwhile);
   }
 
   // No environment begins a further beat.

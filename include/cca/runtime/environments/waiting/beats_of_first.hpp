@@ -65,7 +65,7 @@ protected:
     for (;;) {
       const std::uint32_t before = shared.ends.count();
       if (is_over()) return;
-      loop().state.look_for(0, exchange<D>::position_of(loop().begun()), is_over);
+      loop().state.look_for(0, exchange<D>::position_of(std::max<std::int64_t>(loop().begun(), 0)), is_over);
       meanwhile();
       shared.ends.wait_until(before, monotonic_clock::now() + interval);
     }
