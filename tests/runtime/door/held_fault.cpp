@@ -512,7 +512,7 @@ TEST_CASE("door: a fault in one process ends all, and the door of each says whic
       return one->wire.is_closed;
     });
     CHECK(one->wire.is_closed);
-    MESSAGE(last.dump(), " closed ", one->closed_with, " ", one->why_closed);
+    CAPTURE(last.dump());
     CHECK(last["state"] == "faulted");
     CHECK(last["fault"] == "the motor is too hot");
     CHECK(last["fault_path"] == "guard");

@@ -53,7 +53,8 @@ TEST_SUITE("posture") {
       double phase = 0, amplitude = 0;
       for (std::int64_t k = 0; k < count; ++k) {
         const cca::beat now(k, 1'000'000, 1);
-        const auto [at, radius] = gait.process({1.0, now.time(), true}, now);
+        const auto [at, radius] =
+            gait.process({trot::wanted_amplitude::vector_type(1.0), now.time(), true}, now);
         phase = at.vector()[0], amplitude = radius.vector()[0];
       }
       return std::pair(phase, amplitude);

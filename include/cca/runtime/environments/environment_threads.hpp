@@ -150,11 +150,8 @@ private:
 
   // The beats of a loop are over. `look`: after each time that it idles.
   template <class Loop>
-  void end(Loop& loop,
-           idle_beats& own,
-           bool is_first,
-           function_ref<bool()> is_over,
-           function_ref<void()> look) {
+  void end(
+      Loop& loop, idle_beats& own, bool is_first, function_ref<bool()> is_over, function_ref<void()> look) {
     loop.handle_fault();
     loop.tell_end();
     own.begin(loop.last_active());
