@@ -130,7 +130,8 @@ public:
     }
     program.control.anew.ends();
     if constexpr (HasDoor<controller_type>)
-      if (opened && opened->ends_run()) ended_by_others = opened->ended_by() + ' ' + at(c);
+      if (const std::string by = opened ? opened->ended_by() : ""; !by.empty())
+        ended_by_others = by + ' ' + at(c);
     if (!ended_by_others.empty()) look.note({{"ended", ended_by_others}});
     const std::vector<std::string> causes = causes_of(c);
     stop(c);  // before anything is written: a robot does not wait for a terminal
