@@ -295,7 +295,7 @@ TEST_CASE("door: a program's own commands, held and released") {
     CHECK(released == 1);
     CHECK(call("push", {}).is == how::done);
     CHECK(pushed == std::vector<double>{20, 0});
-    CHECK(call("lift", {}).why == "lift: not while it runs: pause it first");
+    CHECK(call("lift", {}).why == "pause it first: `lift` is refused while it runs");
     CHECK(r.ask({.about = what::pause}).is == how::done);
     CHECK(call("lift", {}).is == how::done);
     CHECK(lifted == 1);

@@ -50,7 +50,7 @@ public:
     const command& one = all[number];
     const bool ends = request.about == door_request::what::release;
     if (ends && !one.end) return "`" + one.name + "` is over at once: there is nothing to release";
-    if (one.only_at_rest && !rests) return one.name + ": not while it runs: pause it first";
+    if (one.only_at_rest && !rests) return "pause it first: `" + one.name + "` is refused while it runs";
     if (!ends)
       for (std::size_t a = 0; a < one.arguments.size(); ++a) values[a] = one.arguments[a].value;
     for (const auto& [name, value] : request.values)
