@@ -316,7 +316,7 @@ TEST_SUITE("live access to a deployment") {
       beside(d, live, pace, [&] {
         wait_until([&] { return live.load(file); });
         wait_until([&] { return live.is_taken(); });  // also in `rest`, where nothing fires
-        CHECK_EQ(live.state(), cca::state::running);
+        wait_until([&] { return live.state() == cca::state::running; });  // as of the last look
         CHECK_EQ(live.parameter("asleep.slope").value_or("busy"), "8.0");
         live.pause();
         wait_until([&] { return live.is_paused(); });
