@@ -39,16 +39,16 @@ public:
 
   const std::string& input() const { return asked.of.input; }
   const std::string& node() const { return asked.of.node; }
-  std::uint64_t number() const { return given; }  // which it was begun with; 0 after its end
+  std::uint64_t id() const { return own_id; }  // which it was begun with; 0 after its end
   // The parameters of its node that begin it; else why not.
   std::string fill(const std::vector<door_parameter>& known, door_request& request) const;
 
   // Its samples come from now on.
-  void begin(std::uint64_t number, std::int64_t period_of_beat, shown_channels& channels);
+  void begin(std::uint64_t with_id, std::int64_t period_of_beat, shown_channels& channels);
   void begun(std::uint64_t time) { began = time; }
   void end(shown_channels& channels);  // of it and of its record
   bool is_running(std::uint64_t now) const {
-    return given != 0 && !is_cut && (began == none || now < began + nanoseconds(asked.duration));
+    return own_id != 0 && !is_cut && (began == none || now < began + nanoseconds(asked.duration));
   }
   // It was ended before its time.
   void cut() { is_cut = true; }
@@ -78,7 +78,7 @@ private:
   void listen(shown_channels& channels, bool does) const;
 
   settings asked{};
-  std::uint64_t given = 0;
+  std::uint64_t own_id = 0;
   std::uint64_t began = none;
   std::uint64_t lost_messages = 0;
   std::int64_t period = 0;  // ns, of a beat

@@ -115,14 +115,14 @@ inline void input_test::listen(shown_channels& channels, bool does) const {
   channels.listen(asked.output.channel, does);
   if (asked.from) channels.listen(asked.from->channel, does);
 }
-inline void input_test::begin(std::uint64_t number, std::int64_t period_of_beat, shown_channels& channels) {
-  given = number, began = none, lost_messages = 0, period = period_of_beat, is_cut = false;
+inline void input_test::begin(std::uint64_t with_id, std::int64_t period_of_beat, shown_channels& channels) {
+  own_id = with_id, began = none, lost_messages = 0, period = period_of_beat, is_cut = false;
   is_listening = true;
   listen(channels, true);
 }
 inline void input_test::end(shown_channels& channels) {
   if (std::exchange(is_listening, false)) listen(channels, false);
-  given = 0;
+  own_id = 0;
 }
 
 // A sample of an output: the head of CDR, the beat, the time of origin, a number for each axis.
@@ -239,8 +239,8 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
   task.request.about = door_request::what::set;
   task.prepare = [next](const values& all, door_request& request) { return next.fill(all, request); };
   task.test = next.node();
-  task.answer = [this, client = c.id, number = tested.number(), one](const door_outcome& outcome) {
-    if (number == tested.number()) {  // else it was cut, and another has begun
+  task.answer = [this, client = c.id, id = tested.id(), one](const door_outcome& outcome) {
+    if (id == tested.id()) {  // else it was cut, and another has begun
       if (outcome.is == door_outcome::how::done) tested.begun(channels.latest);
       else tested.end(channels);
     }
