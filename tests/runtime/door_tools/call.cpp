@@ -193,10 +193,10 @@ TEST_CASE("status and describe") {
   CHECK(door_test::soon(
       [&] { return call(p.address(), {"status"}, "").out.find("\ntwins.127.0.0.1:") != std::string::npos; }));
   const ran told = call(p.address(), {"status"}, "");
-  const auto line = told.out.find("\ntwins.127.0.0.1:");
-  const auto says = told.out.find(" the same, bit for bit: 9 beats\n", line);
+  const auto begin = told.out.find("\ntwins.127.0.0.1:");
+  const auto says = told.out.find(" the same, bit for bit: 9 beats\n", begin);
   CHECK_NE(says, std::string::npos);
-  CHECK_EQ(told.out.find('\n', line + 1), told.out.find('\n', says));  // of one line
+  CHECK_EQ(told.out.find('\n', begin + 1), told.out.find('\n', says));  // of one line
   const ran all = call(p.address(), {"describe"}, "");
   for (const char* const line :
        {"program oncilla_trot\n", "mode stand\n", "part arm\n", "node sink\n",
