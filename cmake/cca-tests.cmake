@@ -9,6 +9,24 @@ function(cca_find_interpreter)
   endif()
 endfunction()
 
+# cca_find_numpy(): CCA_PYTHON_WITH_NUMPY, which may be another interpreter than that of the other tests (Debian: python3-numpy),
+# but is of the version for which modules are built.
+function(cca_find_numpy)
+  if(CCA_PYTHON_WITH_NUMPY)
+    return()
+  endif()
+  find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
+  foreach(candidate ${Python3_EXECUTABLE} /usr/bin/python3)
+    execute_process(COMMAND ${candidate} -c "import numpy, sys; print('%d.%d' % sys.version_info[:2])" OUTPUT_VARIABLE found RESULT_VARIABLE failed
+                    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(NOT failed AND found STREQUAL "${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")
+      set(CCA_PYTHON_WITH_NUMPY ${candidate} CACHE INTERNAL "an interpreter with NumPy")
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "the tests need NumPy for Python ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}: ./bootstrap installs it")
+endfunction()
+
 # cca_test_descriptions(<kind> <program>...): what --write-parameters writes, --config reads unchanged; all outputs are listed.
 function(cca_test_descriptions kind)
   foreach(program IN LISTS ARGN)
