@@ -38,6 +38,10 @@ export async function checkInputTest(tools) {
   const signal = (page) => page.$eval('[data-path="test_servo_reference.signal"]', (e) => e.value);
   const becomes = (page, wanted) => page.waitForFunction((w) => document.querySelector('[data-path="test_servo_reference.signal"]')?.value === w, { timeout: 10_000 }, wanted).then(() => true, () => false);
 
+  // The axis moves when it starts and when its gains change.
+  const beatOf = (page) => page.$eval('#beat', (e) => Number(e.textContent));
+  const atRest = async (page) => page.waitForFunction((b) => Number(document.getElementById('beat').textContent) > b, { timeout: 60_000 }, await beatOf(page) + 4000);
+
   let page = await visit({ width: 1280, height: 900 });
   check('test of an input: who does not command can begin none', await page.$$eval('#tests form .changes', (all) => all.length > 8 && all.every((e) => e.disabled)), await page.$$eval('#tests form .changes', (all) => all.map((e) => e.disabled)));
   await says(page, 'commander', 'nobody commands');
@@ -54,6 +58,7 @@ export async function checkInputTest(tools) {
   check('test of an input: the slider has the range of the declaration', slider.min === '0' && slider.max === '0.2' && /0\.2 rad/.test(slider.ariaLabel), slider);
   check('test of an input: the output is what the servo measures', await page.$eval('#tests [name=output]', (e) => e.value) === 'drive.angle', await page.$eval('#tests [name=output]', (e) => e.value));
   await enter(page, { signal: 'chirp', output: 'drive.angle', amplitude: 0.05, frequency: 0.5, to: 50, duration: 20 });
+  await atRest(page);
   await begin(page);
   check('test of an input: it begins', await says(page, 'message', 'tests servo.reference by a chirp') && await says(page, 'log', '/cca/test servo.reference'), [await text(page, '#message'), await text(page, '#log li .what')]);
   await begin(page);
