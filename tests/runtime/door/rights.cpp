@@ -58,6 +58,12 @@ private:
     return of;
   }
 };
+// What this client commands ends when it gives the command back.
+void ends_with_right(testable& one, client& c) {
+  CHECK(one.signal() == "sine");
+  CHECK(c.call("/cca/give_command").empty());
+  CHECK(soon([&] { return one.signal() == "off"; }));
+}
 json sine(double amplitude) {
   return {{"input", "servo.reference"}, {"output", "robot.angles"}, {"signal", "sine"},
           {"amplitude", amplitude},     {"frequency", 1},           {"duration", 600}};
@@ -315,9 +321,7 @@ TEST_CASE("What an earlier client has begun does not cut the test of the next") 
   CHECK(c.is_told("nonsense"));
   one.controls.answers(how::done);
   CHECK(c.answer_of(test) == "");
-  CHECK(one.signal() == "sine");
-  CHECK(c.call("/cca/give_command").empty());
-  CHECK(soon([&] { return one.signal() == "off"; }));
+  ends_with_right(one, c);
 }
 
 TEST_CASE("A test that waits when the command is given back does not begin") {
@@ -350,9 +354,7 @@ TEST_CASE("Of two tests, the first of which is begun late, each ends with its cl
   one.controls.answers(how::done);
   CHECK(a.answer_of(first) == "");
   CHECK(b.answer_of(second) == "");
-  CHECK(one.signal() == "sine");
-  CHECK(b.call("/cca/give_command").empty());
-  CHECK(soon([&] { return one.signal() == "off"; }));
+  ends_with_right(one, b);
 }
 
 TEST_CASE("What nobody has begun is not done after its client is lost") {

@@ -230,7 +230,8 @@ inline void command(conversation& door, const call_options& o, std::ostream& err
   door.call("/cca/release/" + name);
 }
 
-// The commands that are one call of a service; of any other its name, which nobody calls.
+// The service of a command that is one call, and its arguments. Other commands get their own name, which is
+// never called.
 inline std::pair<std::string, json> service_of(const call_options& o) {
   const auto& w = o.words;
   const auto word = [&](std::size_t i) { return i < w.size() ? w[i] : std::string(); };
