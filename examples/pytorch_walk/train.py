@@ -54,10 +54,11 @@ def main():
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--threads", type=int, default=0, help="0: all cores")
     parser.add_argument("--seconds", type=float, default=3, help="of each round")
+    parser.add_argument("--seed", type=int, default=0)
     a = parser.parse_args()
-    torch.manual_seed(0)
+    torch.manual_seed(a.seed)
     torch.set_num_threads(1)  # so small a network is not faster on more
-    draw = numpy.random.default_rng(0)
+    draw = numpy.random.default_rng(a.seed)
 
     joints, seen = walk_contract.JOINTS, walk_contract.CONTRACT["inputs"]
     default = numpy.array([default_of(j) for j in joints])
@@ -77,7 +78,7 @@ def main():
     x, y, begun = [], [], time.monotonic()
     for k in range(a.rounds):
         by_teacher = 1 if k == 0 else 0.5 ** k
-        numbers, _ = env.reset(seed=1 + 1000 * k)
+        numbers, _ = env.reset(seed=1 + 1000 * k + 100000 * a.seed)
         moved = 0.0
         for _ in range(int(a.seconds / env.step_seconds)):
             now, lesson = observed(numbers), numbers[:, seen:].copy()

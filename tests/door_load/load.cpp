@@ -1,9 +1,10 @@
 // A controller at 1 kHz with an open door, and in a process of its own what loads the door: clients that read
 // all outputs, and connections a second that come and go. It prints what the loop has seen.
-//   cca_door_load [--clients N] [--connects RATE] [--seconds S] [--fifo] [--check]
+//   cca_door_load [--clients N] [--connects RATE] [--seconds S] [--fifo] [--core N] [--check]
 // Beside it another process runs the same controller at the same time, with a door that nobody opens. What
 // the machine does to a loop it does to both: a beat that is late in one alone is told.
 // --fifo: the loop's thread has the scheduling class SCHED_FIFO, which a program may need a right for.
+// --core: both loops run on this core, and all else of both processes on the others.
 // --check: fails unless the memory is bounded, half of the wanted connections came, and each client reads
 // half of the beats or is told what it has lost. A busy machine can do that, too. docs/door.md has figures.
 #include <pthread.h>
@@ -23,6 +24,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -48,16 +50,26 @@ struct source {
     return Eigen::Vector3d(Of, static_cast<double>(now.index()), 0.5);
   }
 };
-// When beats began late, on the clock of the machine.
+// When beats began late, on the clock of the machine, and the time since the one before.
 struct late_beats {
   static constexpr std::size_t most = 1 << 16;
-  std::array<std::int64_t, most> at;
+  static constexpr std::int64_t very = 1'500'000, a_little = 1'100'000;
+  struct beat {
+    std::int64_t at, since;
+  };
+  std::array<beat, most> beats;
   std::size_t count;
+
+  std::span<const beat> all() const { return std::span(beats).first(count); }
+  long very_late() const {
+    return std::ranges::count_if(all(), [](const beat& b) { return b.since > very; });
+  }
 };
 struct watch {
   auto process(cca::beat) -> cca::out<"y", six> {
     const std::int64_t now = cca::detail::monotonic_clock::now();
-    if (before != 0 && now - before > 1'500'000 && to->count < late_beats::most) to->at[to->count++] = now;
+    if (before != 0 && now - before > late_beats::a_little && to->count < late_beats::most)
+      to->beats[to->count++] = {now, now - before};
     before = now;
     return Eigen::Vector3d(0, 0, 0);
   }
@@ -83,6 +95,7 @@ constexpr std::size_t kept_for_twins = 1 << 18;  // bytes: full within seconds, 
 struct wishes {
   int clients = 0;
   double connects = 0, seconds = 3;
+  int core = -1;
   bool fifo = false, checks = false;
 };
 
@@ -164,7 +177,27 @@ int load(const wishes& w, std::uint16_t port, int to) {
 
 // ---- the process of the controller ----
 
-int become_fifo() {
+// The calling thread, and those that it starts from now on.
+int stays_on(const cpu_set_t& cores) {
+  const int wrong = ::pthread_setaffinity_np(::pthread_self(), sizeof cores, &cores);
+  if (wrong) std::fprintf(stderr, "--core: %s\n", std::strerror(wrong));
+  return wrong;
+}
+int leave_its_core(const wishes& w) {
+  cpu_set_t cores;
+  ::pthread_getaffinity_np(::pthread_self(), sizeof cores, &cores);
+  if (w.core < 0) return 0;
+  CPU_CLR(w.core, &cores);
+  return stays_on(cores);
+}
+int become_the_loop(const wishes& w) {
+  if (w.core >= 0) {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(w.core, &one);
+    if (const int wrong = stays_on(one)) return wrong;
+  }
+  if (!w.fifo) return 0;
   const sched_param first{40};
   const int wrong = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &first);
   if (wrong) std::fprintf(stderr, "--fifo: %s\n", std::strerror(wrong));
@@ -178,7 +211,7 @@ int run_beside(const wishes& w, late_beats& late) {
   c.load();
   c.start();
   cca::door door(c, {.port = 0, .token = token, .tells_where = false, .twin_memory = kept_for_twins});
-  if (w.fifo && become_fifo()) return 2;
+  if (become_the_loop(w)) return 2;
   c.run(cca::for_some_beats{beats_of(w)}, cca::at_wall_clock(), door);
   std::printf("beside it, without a client: %lld beats, %lld overruns, %lld periods without a beat\n",
               static_cast<long long>(c.beat_index()), static_cast<long long>(c.overruns()),
@@ -186,16 +219,18 @@ int run_beside(const wishes& w, late_beats& late) {
   std::fflush(stdout);
   return 0;
 }
-// Those of `some` that have none of `others` within 20 ms.
-std::size_t alone(const late_beats& some, const late_beats& others) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < some.count; ++i)
-    count += std::none_of(others.at.begin(), others.at.begin() + static_cast<std::ptrdiff_t>(others.count),
-                          [&](std::int64_t at) { return std::abs(at - some.at[i]) < 20'000'000; });
-  return count;
+// Those of `some` that were late where none of `others` was even a little, within 20 ms.
+long alone(const late_beats& some, const late_beats& others) {
+  return std::ranges::count_if(some.all(), [&](const late_beats::beat& one) {
+    return one.since > late_beats::very &&
+           std::ranges::none_of(others.all(), [&](const late_beats::beat& other) {
+             return std::abs(other.at - one.at) < 20'000'000;
+           });
+  });
 }
 
 int run(const wishes& w) {
+  if (leave_its_core(w)) return 2;
   void* const room =
       ::mmap(nullptr, 2 * sizeof(late_beats), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) return std::perror("mmap"), 3;
@@ -218,8 +253,7 @@ int run(const wishes& w) {
   cca::door door(c, {.port = 0, .token = token, .tells_where = false, .twin_memory = kept_for_twins});
   const std::uint16_t port = door.port();
   if (::write(port_to_load[1], &port, sizeof port) != sizeof port) return 3;
-  if (w.fifo && become_fifo()) return 2;
-  // Looked at by another thread: the loop makes no call of the system.
+  // Looked at by another thread, which is none of the loop's class: the loop makes no call of the system.
   std::vector<long> memory;
   std::jthread looks([&](const std::stop_token& end) {
     const auto every = std::chrono::duration<double>(w.seconds / 20);
@@ -229,6 +263,7 @@ int run(const wishes& w) {
       if (!end.stop_requested()) memory.push_back(laws::resident_memory());
     }
   });
+  if (become_the_loop(w)) return 2;
   const std::int64_t beats = beats_of(w);
   c.run(cca::for_some_beats{beats}, cca::at_wall_clock(), door);
   looks.request_stop();
@@ -250,8 +285,8 @@ int run(const wishes& w) {
   std::printf("%d clients, %.0f connects/s, %.0f s: %lld beats, %lld overruns, %lld periods without a beat\n",
               w.clients, w.connects, w.seconds, static_cast<long long>(c.beat_index()),
               static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
-  std::printf("beats that began late: %zu, beside it %zu; late in one of them alone: %zu here, %zu there\n",
-              late[0].count, late[1].count, alone(late[0], late[1]), alone(late[1], late[0]));
+  std::printf("beats that began late: %ld, beside it %ld; late in one of them alone: %ld here, %ld there\n",
+              late[0].very_late(), late[1].very_late(), alone(late[0], late[1]), alone(late[1], late[0]));
   std::printf("memory of the controller: %ld KiB after a quarter, %ld KiB at the end\n", before, after);
   std::printf("samples read: %llu, of the slowest client %llu of %lld; told to be lost: %llu; closed: %llu\n",
               samples, least, static_cast<long long>(beats) * outputs, lost, closed);
@@ -279,6 +314,7 @@ int main(int count, char** words) {
     else if (word == "--fifo") w.fifo = true;
     else if (i + 1 == count) return std::fprintf(stderr, "%s: no value\n", words[i]), 2;
     else if (word == "--clients") w.clients = std::atoi(words[++i]);
+    else if (word == "--core") w.core = std::atoi(words[++i]);
     else if (word == "--connects") w.connects = std::atof(words[++i]);
     else if (word == "--seconds") w.seconds = std::atof(words[++i]);
     else return std::fprintf(stderr, "%s: unknown\n", words[i]), 2;

@@ -208,6 +208,22 @@ TEST_CASE("input tests: what an earlier one or a client has set does not spoil t
   CHECK(c.call("/cca/test", chirp(0.5)) == "");
 }
 
+TEST_CASE("input tests: one that is refused for its values leaves the answer of the one before") {
+  tuned_axis r;
+  client c(r.door.port(), r.door.token());
+  REQUIRE(c.call("/cca/take_command") == "");
+  const json far = with(chirp(0.5), "amplitude", 5);
+  std::string said;
+  c.waits([&] { return (said = c.call("/cca/test", far)).find("amplitude") != std::string::npos; });
+  REQUIRE(said.find("amplitude") != std::string::npos);
+  CHECK(c.call("/cca/response").find("no test has run") != std::string::npos);
+  REQUIRE(c.call("/cca/test", chirp(0.5)) == "");
+  const json answer = response(c);
+  REQUIRE(!answer.is_null());
+  CHECK(c.call("/cca/test", far).find("amplitude") != std::string::npos);
+  CHECK(response(c) == answer);
+}
+
 TEST_CASE("input tests: one ends with its end, the right to command, its connection, and the run") {
   tuned_axis r;
   const auto is_off = [&](client& from) {

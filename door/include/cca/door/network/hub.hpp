@@ -95,6 +95,7 @@ private:
   door_client* commander = nullptr;
   std::set<std::string> held{};    // commands, by the commander
   input_test tested{};             // the last one
+  input_test before{};             // the one before it, while that can still be refused
   std::set<std::string> driven{};  // nodes of tests that a change of their parameters has begun, or a file
   std::deque<undo_step> changes{};
   values known{};

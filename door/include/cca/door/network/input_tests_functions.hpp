@@ -233,7 +233,7 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
   if (const std::string why = next.read(given, controls.description().tests, channels); !why.empty())
     return refuse(why);
   tested.end(channels);
-  tested = next;
+  before = std::exchange(tested, next);
   tested.begin(++last_id, controls.status().period, channels);
   door_task task{.client = c.id, .name = c.name, .what = "/cca/test " + next.input(), .may_set = true};
   task.request.about = door_request::what::set;
@@ -241,8 +241,13 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
   task.test = next.node();
   task.answer = [this, client = c.id, id = tested.id(), one](const door_outcome& outcome) {
     if (id == tested.id()) {  // else it was cut, and another has begun
-      if (outcome.is == door_outcome::how::done) tested.begun(channels.latest);
-      else tested.end(channels);
+      if (outcome.is == door_outcome::how::done) {
+        tested.begun(channels.latest);
+      } else {
+        tested.end(channels);
+        tested = std::move(before);  // its record is still the newest
+      }
+      before = {};
     }
     answer(client, one, {outcome.is, outcome.why.empty() ? "" : "/cca/test: " + outcome.why});
   };
