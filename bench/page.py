@@ -22,17 +22,22 @@ def three(row, what):
     return each(row, what, FORMS)
 
 
-RARE = ("look_for", "fail", "advance_in_parts", "__clang_call_terminate")
+RARE = ("look_for", "fail", "advance_in_parts", "__clang_call_terminate", "far_sine_and_cosine", "far_hypot", "wrap_far_turn", "wrap_far_signed")
 
 
 def short(name):
     """The last two parts of a function's name, without arguments; marks those that are called rarely (see `skills`)."""
     if "part_of_beat" in name:
         return "part_of_beat"
-    if name.startswith("_ZN"):  # objdump can't read it: then at least its class
-        parts = [m[2] for m in re.finditer(r"(\d+)([a-z_]+)", name) if int(m[1]) == len(m[2])][:2]
+    if encoded := re.match(r"_ZZ?NK?", name):  # objdump can't read it: then at least its class or function
+        parts, at = [], encoded.end()
+        while size := re.match(r"\d+", name[at:]):
+            at += size.end()
+            parts.append(name[at:at + int(size[0])])
+            at += int(size[0])
+        parts = parts[-2:]
     else:
-        plain = name.split("(")[0]
+        plain = re.sub(r"\{[^{}]*\}", "", re.sub(r"\{[^{}]*\}", "", name)).split("(")[0]
         while re.search(r"<[^<>]*>", plain):
             plain = re.sub(r"<[^<>]*>", "", plain)
         parts = plain.split(" ")[-1].split("::")[-2:]
@@ -225,7 +230,7 @@ Each run checks that the two give the same bits.
 Each cell reads graph / by hand; the goal is a ratio of at most 1.05.
 
 {table(["compiler", "flags", "instructions per beat", "graph : by hand", "calls left in the graph's beat", "allocations per beat", "bytes of state"], rows)}
-Rare calls: a sequence looks for the path of a condition once; a step of an equation is divided where it is too long for its parameters; a fault ends the run.
+Rare calls: a sequence looks for the path of a condition once; a step of an equation is divided where it is too long for its parameters; an angle is beyond 1.6 million rad (`far_sine_and_cosine`) or more than a turn outside its range (`wrap_far_...`), a length is far from what has a square (`far_hypot`); a fault ends the run.
 
 {measured(part)}"""
 

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <tuple>
 
+#include <cca/base/math.hpp>
 #include <cca/component/parameters.hpp>
 
 #include "spaces.hpp"
@@ -65,7 +66,7 @@ private:
     const Eigen::Vector3d on_line = cca::rotation::cross<double>(force, torque) / square,
                           off = on_line - centre;
     const double along = off.dot(force), root = along * along - square * (off.squaredNorm() - r * r);
-    const double step = (-along - std::sqrt(std::max(root, 0.0))) / square;
+    const double step = (-along - cca::math::sqrt(std::max(root, 0.0))) / square;
     return -(off + step * force).normalized();
   }
   void follow(const Eigen::Vector3d& felt, double dt) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <cca/base/math.hpp>
 #include <cca/robot/body_dynamics.hpp>
 #include <cca/robot/body_pose.hpp>
 
@@ -53,7 +54,7 @@ public:
       r.yielded = std::max(r.yielded, (at - pushed_from).head<2>().norm());
     }
     if (step == plan::at<"lift"> && last == plan::at<"wipe on"> && late_count > 0)
-      r.returned = std::sqrt(late_force / late_count) < 1.5;
+      r.returned = cca::math::sqrt(late_force / late_count) < 1.5;
     if (is_stopped) {
       double fastest = 0;
       for (const auto& j : world.joints()) fastest = std::max(fastest, std::abs(j.velocity));
@@ -65,8 +66,8 @@ public:
 
   result end() const {
     result all = r;
-    if (path_count > 0) all.path_error = std::sqrt(path / path_count);
-    if (force_count > 0) all.force_error = std::sqrt(force / force_count);
+    if (path_count > 0) all.path_error = cca::math::sqrt(path / path_count);
+    if (force_count > 0) all.force_error = cca::math::sqrt(force / force_count);
     all.energy_created = std::max(0.0, all.energy_delivered - held);
     return all;
   }

@@ -41,7 +41,7 @@ struct stride_oscillator {
     const double along = p.convergence * growth, around = 2 * std::numbers::pi * p.frequency;
     state += now.dt() *
              Eigen::Vector2d(along * state.x() - around * state.y(), along * state.y() + around * state.x());
-    return {cca::math::atan2(state.y(), state.x()), std::sqrt(state.squaredNorm())};
+    return {cca::math::atan2(state.y(), state.x()), cca::math::sqrt(state.squaredNorm())};
   }
 
   void on_start() { state = {rest, 0}; }

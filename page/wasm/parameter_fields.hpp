@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/component/parameters.hpp>
 
 #include "json_text.hpp"
@@ -96,7 +97,7 @@ inline std::string put(const schema& type, void* value, double number) {
     type.set_number(value, number);
     return {};
   }
-  if (!(std::abs(number) < 9e15) || number != std::floor(number)) return "expected a whole number";
+  if (!(std::abs(number) < 9e15) || number != cca::math::floor(number)) return "expected a whole number";
   const auto whole = static_cast<std::int64_t>(number);
   if (type.what == kind::integer)
     if (auto what = detail::integer_complaint(type, whole); !what.empty()) return what;

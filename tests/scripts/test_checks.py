@@ -287,9 +287,10 @@ class Elementary(Tree):
     def test_calls(self):
         for wrong in ("x = std::sin(y);", "std::atan2(a, b)", "return f(std::powf(a, 2));", "std::transform(a, b, c, std::tanh<double>);", "using std::exp;",
                       "x = 2 *::hypot(a, b);", "x = __builtin_log(y);", "return sin(x);", "x = -cos(y) + 1;", "h = (A * x).array().tanh();", "h = x.array().exp() + 1;",
-                      "Eigen::AngleAxisd(a, b)", "Eigen::Quaterniond q(Eigen::Matrix3d(m));", "a.slerp(t, b)", "std::normal_distribution<double> noise;"):
+                      "Eigen::AngleAxisd(a, b)", "Eigen::Quaterniond q(Eigen::Matrix3d(m));", "a.slerp(t, b)", "std::normal_distribution<double> noise;",
+                      "x = std::sqrt(y);", "x = 2 * std::floor(z);"):
             self.assertEqual(self.lines("\n" + wrong), [2], wrong)
-        for right in ("x = math::sin(y);", "return cca::math::pow(a, 2);", "x = std::sqrt(y) + std::abs(std::floor(z));", "// std::sin(x)", "/* std::sin(x)\n*/",
+        for right in ("x = math::sin(y);", "return cca::math::pow(a, 2);", "x = math::sqrt(y) + std::abs(math::floor(z));", "// std::sin(x)", "/* std::sin(x)\n*/",
                       'm << "write std::exp(x)";', "return rotation::exp(v);", "inline vector4<Scalar> exp(const vector3<Scalar>& v) {", "template <class Quaternion>",
                       "auto remainder = 3;", "std::expected<int>", "std::log_level x;", "find.exp(x, 1)", "cosine(x)"):
             self.assertEqual(self.lines(right), [], right)

@@ -22,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/component/parameter_check.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/schema.hpp>
@@ -107,7 +108,7 @@ inline std::string read_learned_number(const schema& type, void* into, std::stri
   std::int64_t whole = 0;
   if (const auto read = std::from_chars(begin, end, whole); read.ec != std::errc() || read.ptr != end) {
     // Older files have an integer as a double, 1e+05, which is exact up to here.
-    if (std::abs(value) > 0x1p53 || std::trunc(value) != value) return "expected an integer" + got();
+    if (std::abs(value) > 0x1p53 || math::trunc(value) != value) return "expected an integer" + got();
     whole = static_cast<std::int64_t>(value);
   }
   if (type.what == kind::integer) {

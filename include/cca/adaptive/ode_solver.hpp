@@ -18,6 +18,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/numerics/ode_integrators.hpp>
 
@@ -67,7 +68,7 @@ private:
     } else {
       if (!std::isfinite(parts)) return false;
       const bool whole = parts <= most_parts;
-      const int count = whole ? static_cast<int>(std::ceil(parts)) : most_parts;
+      const int count = whole ? static_cast<int>(math::ceil(parts)) : most_parts;
       const double part = whole ? dt / count : dt / parts;
       bool taken = true;
       for (int i = 0; i < count && taken; ++i) taken = step(u, p, part);

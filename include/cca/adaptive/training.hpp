@@ -37,6 +37,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/learning/batch_thread.hpp>
 #include <cca/adaptive/learning/changes.hpp>
@@ -59,7 +60,7 @@ namespace detail {
 inline constexpr auto no_learning_call = static_cast<learning_call>(255);
 inline learning_call learning_call_of(double number) {
   constexpr double last = status_of(learning_call::batch);
-  return number >= 0 && number <= last && std::trunc(number) == number
+  return number >= 0 && number <= last && math::trunc(number) == number
              ? static_cast<learning_call>(static_cast<std::uint8_t>(number))
              : no_learning_call;
 }

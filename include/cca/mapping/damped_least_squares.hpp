@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/mapping/tip_task.hpp>
 
 namespace cca {
@@ -40,7 +41,7 @@ Eigen::Matrix<double, Size, 1> solve_positive(Eigen::Matrix<double, Size, Size> 
                                               Eigen::Matrix<double, Size, 1> b) {
   for (int j = 0; j < Size; ++j) {
     for (int k = 0; k < j; ++k) a(j, j) -= a(j, k) * a(j, k);
-    a(j, j) = std::sqrt(a(j, j) > 0 ? a(j, j) : std::numeric_limits<double>::min());
+    a(j, j) = math::sqrt(a(j, j) > 0 ? a(j, j) : std::numeric_limits<double>::min());
     for (int i = j + 1; i < Size; ++i) {
       for (int k = 0; k < j; ++k) a(i, j) -= a(i, k) * a(j, k);
       a(i, j) /= a(j, j);
@@ -134,7 +135,7 @@ public:
       }
       if (++taken % 8 != 0) continue;
       const double gained = square_before - square;  // in eight steps
-      if (gained <= 1e-6 * square && gained <= 2e-8 * span * std::sqrt(square))
+      if (gained <= 1e-6 * square && gained <= 2e-8 * span * math::sqrt(square))
         return ends(phase::minimum, evaluations + 1);
       if (!alone && square - patience * gained > best) return ends(phase::hopeless, evaluations + 1);
       if (!alone && taken >= Settings::iterations) return ends(phase::exhausted, evaluations + 1);

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 #include <cca/mapping/reaching.hpp>
@@ -85,7 +86,7 @@ public:
       left -= other.run(wanted, left, best.square);
       if (other.running()) break;
       ++ended;
-      if (other.reached() || std::sqrt(other.square) < std::sqrt(best.square) - 1e-6 * limits::span) {
+      if (other.reached() || math::sqrt(other.square) < math::sqrt(best.square) - 1e-6 * limits::span) {
         best = other;
         if (best.exhausted()) best.go_on();
       }
@@ -103,7 +104,7 @@ public:
   }
 
   // m, from the tip at the last answer to the target.
-  double distance() const { return std::sqrt(best.square); }
+  double distance() const { return math::sqrt(best.square); }
 
 private:
   // m: a target that moves less keeps the search. The distance to the nearest point changes by no more.
@@ -147,7 +148,7 @@ private:
     vector q;
     for (int i = 0; i < limits::size; ++i) {
       double part = 0.5 + static_cast<double>(number) * spread[static_cast<std::size_t>(i)];
-      part -= std::floor(part);
+      part -= math::floor(part);
       if (number % 2 != 0) part = std::clamp(3 * part - 1, 0.0, 1.0);
       q[i] = limits::between(i, part);
     }

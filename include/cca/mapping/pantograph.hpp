@@ -81,7 +81,7 @@ namespace detail {
 // The angle in the range that is nearest to the given one, up to whole turns.
 inline double nearest_in(double angle, double low, double high) {
   if (std::isfinite(low) && std::isfinite(high))
-    angle -= 2 * std::numbers::pi * std::round((angle - (low + high) / 2) / (2 * std::numbers::pi));
+    angle -= 2 * std::numbers::pi * math::round((angle - (low + high) / 2) / (2 * std::numbers::pi));
   return angle < low ? low : angle > high ? high : angle;
 }
 
@@ -185,14 +185,14 @@ public:
         const double across = p[1] * turn.cosine + p[2] * turn.sine,
                      up = p[2] * turn.cosine - p[1] * turn.sine;
         const auto found = leg.solve(p[0], up, near[hip], near[knee]);
-        const double distance = std::sqrt(found.square + across * across);
+        const double distance = math::sqrt(found.square + across * across);
         if (distance < best.distance - 1e-12)
           best = {vector(side * tilt, found.hip, found.knee), distance, reaching::nearest};
       }
     } else {
       const vector3 p = in_hip(wanted);
       const auto found = leg.solve(p[0], p[2], near[hip], near[knee]);
-      best = {vector(found.hip, found.knee), std::sqrt(found.square), reaching::nearest};
+      best = {vector(found.hip, found.knee), math::sqrt(found.square), reaching::nearest};
     }
     if (best.distance <= Settings::tolerance) best.status = reaching::reached;
     return best;

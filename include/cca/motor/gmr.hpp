@@ -22,6 +22,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -57,7 +58,7 @@ struct gmr {
           else return scalar(x - mean);
         });
     position = answer.mean;
-    for (int i = 0; i < S::size; ++i) spread[i] = std::sqrt(std::max(0.0, answer.covariance(i, i)));
+    for (int i = 0; i < S::size; ++i) spread[i] = math::sqrt(std::max(0.0, answer.covariance(i, i)));
     return {position, spread, status_of(inputs.get())};
   }
 

@@ -61,7 +61,7 @@ struct hopf {
     if (inputs.unreadable()) return published(std::max<double>(p.ember, solver.get().norm()), inputs.get());
     if (!solver.advance(u, {p.convergence}, now.dt())) inputs.note_clamped();
     hopf_ode::state x = solver.get();
-    double radius = std::sqrt(x.dot(x));
+    double radius = math::sqrt(x.dot(x));
     if (radius < p.ember) {
       x = radius > 0 ? hopf_ode::state(p.ember / radius * x) : hopf_ode::state(p.ember, 0);
       radius = p.ember;

@@ -24,6 +24,7 @@
 #include <cmath>
 
 #include <cca/base/compiler.hpp>
+#include <cca/base/math/roots.hpp>
 
 namespace cca::detail {
 
@@ -157,7 +158,7 @@ private:
     p = {};
     if (!most.range.holds(from.at)) return false;
     if (from.rate == 0 && from.second == 0) return true;
-    const auto steps = [](double n) { return std::max(1.0, std::ceil(n - 1e-9)); };
+    const auto steps = [](double n) { return std::max(1.0, math::ceil(n - 1e-9)); };
     const double rest =
         steps(from.second > 0 ? from.second / -most.third.lower : -from.second / most.third.upper);
     // The rate once the second one is 0. Mirrored, so that it is positive.
@@ -171,12 +172,12 @@ private:
     double most_braking = strongest;
     if (in + out > 0)
       most_braking =
-          std::min(strongest, std::sqrt(std::max(0.0, 2 * rate + second * second * in) / (in + out)));
+          std::min(strongest, math::sqrt(std::max(0.0, 2 * rate + second * second * in) / (in + out)));
     double first = steps((second + most_braking) * in), third = steps(most_braking * out), hold = 0;
     if (most_braking > 0)
-      hold = std::floor(std::max(0.0, (rate + 0.5 * (second * second - most_braking * most_braking) * in -
-                                       0.5 * most_braking * most_braking * out) /
-                                          most_braking));
+      hold = math::floor(std::max(0.0, (rate + 0.5 * (second * second - most_braking * most_braking) * in -
+                                        0.5 * most_braking * most_braking * out) /
+                                           most_braking));
     for (int tries = 0; tries < 24 && first + hold + third < 1e9; ++tries) {
       const double braking_by = (rate + second * (first - 1) / 2) / (first / 2 + hold + third / 2);
       const double slope = (-braking_by - second) / first, back = braking_by / third;
@@ -199,12 +200,12 @@ private:
     const auto in_range = [&](double n) { return most.range.holds(from.after(n, p.slope).at); };
     const auto in_rate = [&](double n) { return most.rate.about_holds(from.after(n, p.slope).rate); };
     if (!most.range.holds(end_of(from, p)) || !in_rate(p.first)) return false;
-    const double peak = std::floor(-from.second / p.slope);
+    const double peak = math::floor(-from.second / p.slope);
     if (peak > 0 && peak < p.first && !in_rate(peak)) return false;
     const double b = from.second + p.slope / 2, inner = b * b - 2 * p.slope * from.rate;
     if (!(inner >= 0)) return true;
-    for (const double root : {(-b - std::sqrt(inner)) / p.slope, (-b + std::sqrt(inner)) / p.slope})
-      if (root > 0 && root < p.first && !(in_range(std::floor(root)) && in_range(std::ceil(root))))
+    for (const double root : {(-b - math::sqrt(inner)) / p.slope, (-b + math::sqrt(inner)) / p.slope})
+      if (root > 0 && root < p.first && !(in_range(math::floor(root)) && in_range(math::ceil(root))))
         return false;
     return true;
   }

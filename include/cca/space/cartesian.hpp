@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/messages/vector_argument.hpp>
@@ -39,7 +40,7 @@ struct cartesian_position : detail::linear_domain {
     template <Sample Other>
     double distance(const Other& to) const {
       const auto v = difference(to);
-      return std::sqrt(v.dot(v));
+      return math::sqrt(v.dot(v));
     }
   };
 };
@@ -55,7 +56,7 @@ struct cartesian_force : detail::linear_domain {
     // In N.
     double magnitude() const {
       const auto v = this->self().vector();
-      return std::sqrt(v.dot(v));
+      return math::sqrt(v.dot(v));
     }
   };
 };

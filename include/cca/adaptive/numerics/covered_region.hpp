@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/base/eigen.hpp>
 
@@ -43,7 +44,7 @@ struct covered_region {
     mean /= static_cast<double>(inputs.size());
     for (const input& x : inputs) square += (x - mean).cwiseAbs2();
     for (int i = 0; i < I; ++i) {
-      const double deviation = std::sqrt(square[i] / static_cast<double>(inputs.size()));
+      const double deviation = math::sqrt(square[i] / static_cast<double>(inputs.size()));
       region.width[i] = deviation > 0 ? deviation : 1.0;
     }
     std::vector<double> nearest(inputs.size(), std::numeric_limits<double>::infinity());
@@ -55,7 +56,7 @@ struct covered_region {
             std::min(nearest[k], ((inputs[k] - inputs[chosen]).cwiseQuotient(region.width)).squaredNorm());
       chosen = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
     }
-    region.radius = std::sqrt(nearest[chosen]);
+    region.radius = math::sqrt(nearest[chosen]);
     return region;
   }
 };

@@ -17,6 +17,7 @@
 
 #include <cca/base/math/angles.hpp>
 #include <cca/base/math/logarithms.hpp>
+#include <cca/base/math/roots.hpp>
 
 namespace cca {
 
@@ -38,7 +39,7 @@ public:
 
   double normal() {
     const double far = 1 - uniform(), turn = uniform();  // far: in (0, 1]
-    return std::sqrt(-2 * math::log(far)) * math::cos(2 * std::numbers::pi * turn);
+    return math::sqrt(-2 * math::log(far)) * math::cos(2 * std::numbers::pi * turn);
   }
 
 private:

@@ -15,6 +15,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/mapping/network/activations.hpp>
 #include <cca/mapping/network/weighted_sums.hpp>
 
@@ -103,7 +104,7 @@ template <class Number, int Size>
                                                                double epsilon) {
   const numbers<Number, Size> off = (x.array() - x.sum() / static_cast<Number>(Size)).matrix();
   const Number variance = off.squaredNorm() / static_cast<Number>(Size);
-  return off / std::sqrt(variance + static_cast<Number>(epsilon));
+  return off / math::sqrt(variance + static_cast<Number>(epsilon));
 }
 
 template <class Number, int Size>
@@ -116,7 +117,7 @@ template <class Number, int Size>
 }
 template <class Number, int Size>
 [[gnu::always_inline]] inline numbers<Number, 1> length(const numbers<Number, Size>& x) {
-  return numbers<Number, 1>(std::sqrt(x.squaredNorm()));
+  return numbers<Number, 1>(math::sqrt(x.squaredNorm()));
 }
 template <class Number, int Size>
 [[gnu::always_inline]] inline numbers<Number, Size> root(const numbers<Number, Size>& x) {

@@ -45,7 +45,7 @@ struct hopf_ode {
                  share = s == 0 ? 1 : -math::expm1(-std::abs(s)) / std::abs(s);
     const double pull = x.dot(x) * 2 * p.convergence * seconds * share;
     if (!(pull + falling > 0)) return x;  // the origin is an equilibrium
-    const double scale = std::sqrt(s > 0 ? 1 / (falling + pull) : falling / (1 + pull));
+    const double scale = math::sqrt(s > 0 ? 1 / (falling + pull) : falling / (1 + pull));
     const auto turn = math::sine_and_cosine(2 * std::numbers::pi * u[1] * seconds);
     const double along = scale * turn.cosine, around = scale * turn.sine;
     return {along * x[0] - around * x[1], along * x[1] + around * x[0]};

@@ -85,11 +85,11 @@ private:
   // The mean growth over many steps: with a complex pair of largest eigenvalues a vector turns, so the growth
   // of a single step varies.
   double radius() const {
-    activity v = activity::Constant(1 / std::sqrt(static_cast<double>(N)));
+    activity v = activity::Constant(1 / math::sqrt(static_cast<double>(N)));
     double growth = 0;
     for (int k = 0; k < 500; ++k) {
       v = recur(v);
-      const double length = std::sqrt(v.dot(v));
+      const double length = math::sqrt(v.dot(v));
       if (!(length > 0)) return 1;
       v /= length;
       if (k >= 100) growth += math::log(length);

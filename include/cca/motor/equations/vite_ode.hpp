@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
+#include <cca/base/math/roots.hpp>
 
 namespace cca {
 
@@ -43,7 +44,7 @@ struct vite_ode {
 
   // The eigenvalues l of the movement obey l^2 + a l + a G = 0.
   static double fastest(const state&, const input& u, const parameters& p) {
-    return std::max(p.convergence, std::sqrt(p.convergence * std::abs(u[D])));
+    return std::max(p.convergence, math::sqrt(p.convergence * std::abs(u[D])));
   }
 
   static state derivative(const state& x, const input& u, const parameters& p) {

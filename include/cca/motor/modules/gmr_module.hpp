@@ -35,6 +35,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/adaptive/module/adaptive_module.hpp>
@@ -125,7 +126,7 @@ public:
     command = vector(solver.get().template head<S::size>());
     velocity = vector(solver.get().template tail<S::size>());
     vector deviation;
-    for (int i = 0; i < S::size; ++i) deviation[i] = std::sqrt(std::max(0.0, answer.covariance(i, i)));
+    for (int i = 0; i < S::size; ++i) deviation[i] = math::sqrt(std::max(0.0, answer.covariance(i, i)));
     spread = deviation;
     const double rate = solver.rate(attractor, with).norm();
     return give(status_of(read.get(), ode_state.update(rate, p.settling)), at, command, velocity, spread);

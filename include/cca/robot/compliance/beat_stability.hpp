@@ -28,6 +28,7 @@
 
 #include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/base/eigen.hpp>
+#include <cca/base/math/roots.hpp>
 #include <cca/space/limits.hpp>
 #include <cca/space/space.hpp>
 
@@ -38,7 +39,7 @@ bool positive_definite(Eigen::Matrix<double, Size, Size> a) {
   for (int j = 0; j < Size; ++j) {
     for (int k = 0; k < j; ++k) a(j, j) -= a(j, k) * a(j, k);
     if (!(a(j, j) > 0)) return false;
-    a(j, j) = std::sqrt(a(j, j));
+    a(j, j) = math::sqrt(a(j, j));
     for (int i = j + 1; i < Size; ++i) {
       for (int k = 0; k < j; ++k) a(i, j) -= a(i, k) * a(j, k);
       a(i, j) /= a(j, j);

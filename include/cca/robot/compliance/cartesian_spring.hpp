@@ -34,7 +34,7 @@ struct spring_pull {
 
 // What a torque along the changes of a rotation vector is about the axes: J^-T, J the left Jacobian.
 inline vector3 torque_of_gradient(const vector3& r, const vector3& gradient) {
-  const double square = r.dot(r), angle = std::sqrt(square);
+  const double square = r.dot(r), angle = math::sqrt(square);
   const double c = angle < 1e-3 ? 1.0 / 12 : (1 - 0.5 * angle / math::tan(0.5 * angle)) / square;
   const vector3 once = cross(r, gradient);
   return gradient + 0.5 * once + c * cross(r, once);

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/robot/compliance/symmetric_eigen.hpp>
 
 namespace cca::detail {
@@ -35,7 +36,8 @@ Eigen::Matrix<double, Size, Size> damping_for(const Eigen::Matrix<double, Size, 
   const matrix gv = root * modes.vectors;
   matrix d = matrix::Zero();
   for (int i = 0; i < Size; ++i)
-    d += (2 * ratio / std::sqrt(std::max(modes.values[i], 1e-12 * most))) * gv.col(i) * gv.col(i).transpose();
+    d +=
+        (2 * ratio / math::sqrt(std::max(modes.values[i], 1e-12 * most))) * gv.col(i) * gv.col(i).transpose();
   return d;
 }
 

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/robot/dynamics/positive_matrix.hpp>
 
 namespace cca::detail {
@@ -64,7 +65,7 @@ public:
     if (stored < 0) return within(lowest);
     if (a + b <= room) return 1;
     const double square = b * b + 4 * a * room;
-    return within(square > 0 ? lowest + std::sqrt(square) / (2 * a) : lowest);
+    return within(square > 0 ? lowest + math::sqrt(square) / (2 * a) : lowest);
   }
 
   void hold(const vector& from_now_on, const vector& q) {

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include <cca/base/eigen.hpp>
+#include <cca/base/math/roots.hpp>
 
 namespace cca::detail {
 
@@ -40,8 +41,8 @@ private:
   void rotate(matrix& a, int p, int q) {
     if (a(p, q) == 0) return;
     const double tau = (a(q, q) - a(p, p)) / (2 * a(p, q));
-    const double t = (tau < 0 ? -1 : 1) / (std::abs(tau) + std::sqrt(1 + tau * tau));
-    const double c = 1 / std::sqrt(1 + t * t), s = t * c;
+    const double t = (tau < 0 ? -1 : 1) / (std::abs(tau) + math::sqrt(1 + tau * tau));
+    const double c = 1 / math::sqrt(1 + t * t), s = t * c;
     for (int i = 0; i < Size; ++i) {
       const double left = a(i, p), right = a(i, q);
       a(i, p) = c * left - s * right;

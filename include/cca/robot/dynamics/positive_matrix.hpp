@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include <cca/base/eigen.hpp>
+#include <cca/base/math/roots.hpp>
 
 namespace cca::detail {
 
@@ -24,7 +25,7 @@ public:
     for (int j = 0; j < Size; ++j) {
       for (int k = 0; k < j; ++k)
         for (int i = j; i < Size; ++i) l(i, j) -= l(i, k) * l(j, k);
-      inverse[j] = 1 / std::sqrt(l(j, j));
+      inverse[j] = 1 / math::sqrt(l(j, j));
       for (int i = j; i < Size; ++i) l(i, j) *= inverse[j];
     }
   }
@@ -66,7 +67,7 @@ Eigen::Matrix<double, Size, Size> generalised_inverse(Eigen::Matrix<double, Size
                                                       double threshold = 1e-10) {
   using vector = Eigen::Matrix<double, Size, 1>;
   vector scale;
-  for (int i = 0; i < Size; ++i) scale[i] = a(i, i) > 1e-200 ? 1 / std::sqrt(a(i, i)) : 0;
+  for (int i = 0; i < Size; ++i) scale[i] = a(i, i) > 1e-200 ? 1 / math::sqrt(a(i, i)) : 0;
   a = scale.asDiagonal() * a * scale.asDiagonal();
   Eigen::Matrix<bool, Size, 1> done = Eigen::Matrix<bool, Size, 1>::Constant(false);
   for (int step = 0; step < Size; ++step) {

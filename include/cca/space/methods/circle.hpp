@@ -8,24 +8,39 @@
 
 #include <cca/base/compiler.hpp>
 #include <cca/base/eigen.hpp>
+#include <cca/base/math/roots.hpp>
 #include <cca/space/limits.hpp>
 
 namespace cca {
 
 inline constexpr double pi = std::numbers::pi;
 
+namespace detail {
+
+// Of angles more than a turn away, which are rare.
+[[gnu::noinline]] inline double wrap_far_signed(double angle) {
+  const double wrapped = angle - 2 * pi * math::ceil((angle - pi) / (2 * pi));
+  return wrapped > pi ? wrapped - 2 * pi : wrapped <= -pi ? wrapped + 2 * pi : wrapped;
+}
+[[gnu::noinline]] inline double wrap_far_turn(double angle) {
+  const double wrapped = angle - 2 * pi * math::floor(angle / (2 * pi));
+  return wrapped >= 2 * pi || wrapped < 0 ? 0.0 : wrapped;  // only rounding leads here
+}
+
+}  // namespace detail
+
 // Into (-pi, pi]. An angle inside the range keeps every bit. NaN for an infinity.
 inline double wrap_signed(double angle) {
   if (angle > -pi && angle <= pi) return angle;
-  const double wrapped = angle - 2 * pi * std::ceil((angle - pi) / (2 * pi));
-  return wrapped > pi ? wrapped - 2 * pi : wrapped <= -pi ? wrapped + 2 * pi : wrapped;
+  const double nearer = angle > 0 ? angle - 2 * pi : angle + 2 * pi;
+  return nearer > -pi && nearer <= pi ? nearer : detail::wrap_far_signed(angle);
 }
 
 // Into [0, 2 pi). An angle inside the range keeps every bit. NaN for an infinity.
 inline double wrap_turn(double angle) {
   if (angle >= 0 && angle < 2 * pi) return angle;
-  const double wrapped = angle - 2 * pi * std::floor(angle / (2 * pi));
-  return wrapped >= 2 * pi || wrapped < 0 ? 0.0 : wrapped;  // only rounding leads here
+  const double nearer = angle > 0 ? angle - 2 * pi : angle + 2 * pi;
+  return nearer >= 0 && nearer < 2 * pi ? nearer : detail::wrap_far_turn(angle);
 }
 
 namespace detail {

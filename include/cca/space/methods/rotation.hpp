@@ -53,7 +53,7 @@ inline vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v
 // Scaled to unit length; the identity if the length is 0.
 template <class Scalar = double>
 inline vector4<Scalar> normalised(const vector4<Scalar>& q) {
-  const Scalar length = std::sqrt(q.dot(q));
+  const Scalar length = math::sqrt(q.dot(q));
   return length > 0 ? vector4<Scalar>(q / length) : identity<Scalar>();
 }
 
@@ -70,13 +70,13 @@ inline vector4<Scalar> canonical(const vector4<Scalar>& q) {
 // In [0, pi].
 template <class Scalar = double>
 CCA_INLINE Scalar angle(const vector4<Scalar>& q) {
-  return 2 * math::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
+  return 2 * math::atan2(math::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
 }
 
 // By `angle` rad about an axis of any length but 0.
 template <class Scalar = double>
 inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
-  const Scalar length = std::sqrt(axis.dot(axis));
+  const Scalar length = math::sqrt(axis.dot(axis));
   const auto half = math::sine_and_cosine(angle / 2);
   const Scalar s = half.sine / length;
   return {s * axis[0], s * axis[1], s * axis[2], half.cosine};
@@ -85,7 +85,7 @@ inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
 // From a rotation vector: its direction is the axis, its length the angle.
 template <class Scalar = double>
 inline vector4<Scalar> exp(const vector3<Scalar>& v) {
-  const Scalar square = v.dot(v), angle = std::sqrt(square);
+  const Scalar square = v.dot(v), angle = math::sqrt(square);
   const auto half = math::sine_and_cosine(angle / 2);
   const Scalar s = angle < 1e-4 ? 0.5 - square / 48 : half.sine / angle;
   return {s * v[0], s * v[1], s * v[2], half.cosine};
@@ -96,7 +96,7 @@ template <class Scalar = double>
 inline vector3<Scalar> log(const vector4<Scalar>& q) {
   const Scalar w = q[3] < 0 ? -q[3] : q[3], sign = q[3] < 0 ? -1 : 1;
   const vector3<Scalar> v = q.template head<3>();
-  const Scalar n = std::sqrt(v.dot(v));
+  const Scalar n = math::sqrt(v.dot(v));
   return (n < 1e-10 ? 2.0 : 2 * math::atan2(n, w) / n) * sign * v;
 }
 
@@ -130,7 +130,7 @@ template <class Scalar = double>
 inline vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b, Scalar t) {
   const Scalar sign = a.dot(b) < 0 ? -1 : 1;
   const vector4<Scalar> difference = a - sign * b, sum = a + sign * b;
-  const Scalar angle = 2 * math::atan2(std::sqrt(difference.dot(difference)), std::sqrt(sum.dot(sum)));
+  const Scalar angle = 2 * math::atan2(math::sqrt(difference.dot(difference)), math::sqrt(sum.dot(sum)));
   if (angle < 1e-6)
     return normalised(vector4<Scalar>(
         (1 - t) * a + t * sign * b));  // here sin(angle) is too small to divide by; the chord equals the arc

@@ -95,7 +95,7 @@ struct gait {
     for (std::size_t leg = 0; leg < 4; ++leg) {
       const leg_shape& shape = leg < 2 ? p.front : p.hind;
       const double left = leg % 2 == 0 ? 1 : -1;
-      const double own = phase[step{}] / (2 * cca::pi) + p.offsets[leg], part = own - std::floor(own);
+      const double own = phase[step{}] / (2 * cca::pi) + p.offsets[leg], part = own - cca::math::floor(own);
       const auto joint = static_cast<Eigen::Index>(3 * leg);
       wanted.vector()[joint] = 0;
       wanted.vector()[joint + 1] =

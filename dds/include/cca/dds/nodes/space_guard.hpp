@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/space/array.hpp>
 #include <cca/space/methods/scalar.hpp>
 #include <cca/space/orientation.hpp>
@@ -14,7 +15,7 @@ namespace cca::dds::detail {
 
 // Null, or why it is refused. `q`: x, y, z, w.
 inline const char* refuse_quaternion(double* q) {
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  const double length = math::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   if (!(std::abs(length - 1) < 0.001)) return "an orientation that is no unit quaternion";
   if (std::abs(length - 1) > 1e-12)
     for (int i = 0; i < 4; ++i) q[i] /= length;
@@ -37,7 +38,7 @@ template <>
 struct space_guard<cca::status> {
   static const char* refuse(const double* sample, int axes) {
     for (int i = 0; i < axes; ++i)
-      if (!(std::floor(sample[i]) == sample[i])) return "a status that is no whole number";
+      if (!(math::floor(sample[i]) == sample[i])) return "a status that is no whole number";
     return nullptr;
   }
 };

@@ -29,6 +29,7 @@
 #include <string_view>
 
 #include <cca/base/array_size.hpp>
+#include <cca/base/math/roots.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/ros2/messages/header.hpp>
 #include <cca/ros2/messages/message_mistakes.hpp>
@@ -194,7 +195,7 @@ private:
   static constexpr std::size_t at(int i) { return cca::detail::array_size(i * format.bytes); }
   static double sendable(double value) {
     if constexpr (format.bytes == 4) return value;
-    else return std::isfinite(value) ? std::clamp(std::floor(value + 0.5), 0.0, channel::most) : 0;
+    else return std::isfinite(value) ? std::clamp(math::floor(value + 0.5), 0.0, channel::most) : 0;
   }
   static std::string wanted_frame() {
     return detail::frame_name<typename detail::frame_along<typename Space::domain>::type>();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/hardware/bus/can_frame.hpp>
 #include <cca/hardware/drives/wire_number.hpp>
 
@@ -35,7 +36,7 @@ inline bool take_board_orientation(const can_frame& f, std::array<double, 4>& or
     square += q[i] * steps * orientation_step;
   }
   if (!(square > 0.96 && square < 1.04)) return false;
-  for (std::size_t i = 0; i < 4; ++i) orientation[i] = q[i] / std::sqrt(square);
+  for (std::size_t i = 0; i < 4; ++i) orientation[i] = q[i] / math::sqrt(square);
   return true;
 }
 

@@ -24,6 +24,7 @@
 #include <concepts>
 #include <cstdint>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/hardware/drives/drive.hpp>
 
 namespace cca::hardware {
@@ -73,7 +74,7 @@ public:
   drive_motion now{};
 
   void advance(const drive_command& law, double load, double seconds) {
-    const int steps = static_cast<int>(std::ceil(seconds / 1e-4));
+    const int steps = static_cast<int>(math::ceil(seconds / 1e-4));
     const double dt = seconds / steps;
     for (int i = 0; i < steps; ++i) {
       const double wanted = law.stiffness * (law.position - now.position) +

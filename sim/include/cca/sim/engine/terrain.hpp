@@ -60,7 +60,8 @@ private:
   // Strip 0 is the level ground before `start`, strip i the i-th step, or the slope.
   std::int64_t index_at(double x) const {
     if (!(x >= start)) return 0;
-    return static_cast<std::int64_t>(std::min(static_cast<double>(count), 1 + std::floor((x - start) / run)));
+    return static_cast<std::int64_t>(
+        std::min(static_cast<double>(count), 1 + math::floor((x - start) / run)));
   }
 
   ground_strip strip(std::int64_t i) const {

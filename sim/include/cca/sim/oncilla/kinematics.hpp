@@ -42,8 +42,8 @@ inline leg_angles_in_plane leg_angles_for(const oncilla_model& m, foot_in_plane 
 
 // Length of the diagonal, from the knee to the spring's end on the lower segment (law of cosines).
 inline double diagonal_length(const oncilla_model& m, double knee) {
-  return std::sqrt(m.middle_length * m.middle_length + m.spring_arm * m.spring_arm -
-                   2 * m.middle_length * m.spring_arm * math::cos(knee));
+  return math::sqrt(m.middle_length * m.middle_length + m.spring_arm * m.spring_arm -
+                    2 * m.middle_length * m.spring_arm * math::cos(knee));
 }
 
 inline double diagonal_stretch(const oncilla_model& m, double knee) {

@@ -24,6 +24,7 @@
 
 #include <cca/base/eigen.hpp>
 #include <cca/base/math/random_numbers.hpp>
+#include <cca/base/math/roots.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/space/methods/rotation.hpp>
 
@@ -127,7 +128,7 @@ private:
     if (e.scale > 0) x *= 1 + e.scale * scale_[k];
     if (e.bias > 0) x += e.bias * bias_[k];
     if (e.noise > 0) x += e.noise * random.normal();
-    if (e.resolution > 0) x = e.resolution * std::round(x / e.resolution);
+    if (e.resolution > 0) x = e.resolution * math::round(x / e.resolution);
   }
   void lose(numbers& now, double chance, random_numbers& random) {
     if (chance > 0 && has_last_ && random.happens(chance)) now = last_;
@@ -150,7 +151,7 @@ public:
   }
   // After the first `add`.
   const Value& before(double seconds, double beat) const {
-    const auto beats = static_cast<std::size_t>(std::max(0.0, std::round(seconds / beat)));
+    const auto beats = static_cast<std::size_t>(std::max(0.0, math::round(seconds / beat)));
     return kept_[(newest_ + Capacity - std::min(beats, count_ - 1)) % Capacity];
   }
 

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/sim/robot/model/drive_condition.hpp>
 #include <cca/sim/robot/robot_graph.hpp>
 #include <cca/sim/uncertain/uncertainty.hpp>
@@ -103,7 +104,7 @@ public:
     if (!(p.battery.resistance > 0) || !(p.battery.open_circuit > 0)) return 1;
     // U = (V + sqrt(V^2 - 4 R P)) / 2; beyond its largest power half of the voltage is left.
     const double volts = p.battery.open_circuit, share = power_ * p.battery.resistance / (volts * volts);
-    return 0.5 * (1 + std::sqrt(std::max(0.0, 1 - 4 * share)));
+    return 0.5 * (1 + math::sqrt(std::max(0.0, 1 - 4 * share)));
   }
 
 private:

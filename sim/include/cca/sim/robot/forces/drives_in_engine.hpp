@@ -13,6 +13,7 @@
 #include <numbers>
 #include <vector>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/sim/robot/forces/coupled_joints.hpp>
 #include <cca/sim/robot/forces/mobility.hpp>
 #include <cca/sim/robot/model/robot_state.hpp>
@@ -128,7 +129,7 @@ public:
       const auto now = tree.read(i);
       const double turn = l.kind == joint_kind::revolute ? 2 * std::numbers::pi / l.ratio : 0;
       const double about = r.angle + step_ * now.speed;
-      r.angle = turn == 0 ? now.position : now.position + turn * std::round((about - now.position) / turn);
+      r.angle = turn == 0 ? now.position : now.position + turn * math::round((about - now.position) / turn);
       r.velocity = now.speed;
     }
     for (std::size_t c = 0; c < motors_.size(); ++c) {

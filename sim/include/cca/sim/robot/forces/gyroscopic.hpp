@@ -19,6 +19,7 @@
 
 #include <Eigen/LU>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 
 namespace cca::sim {
@@ -31,7 +32,7 @@ inline Eigen::Vector3d turned_freely(const Eigen::Matrix3d& inertia,
   constexpr double longest = 0.25;  // rad
   constexpr int most_parts = 16, most_iterations = 8;
   const double turn = before.norm() * std::abs(step);
-  const int parts = static_cast<int>(std::clamp(std::ceil(turn / longest), 1.0, double(most_parts)));
+  const int parts = static_cast<int>(std::clamp(math::ceil(turn / longest), 1.0, double(most_parts)));
   const double h = step / parts;
   Eigen::Vector3d w = before;
   for (int k = 0; k < parts; ++k) {

@@ -23,6 +23,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <cca/base/math/roots.hpp>
 #include <cca/robots/crossing.hpp>
 #include <cca/sim/robot/forces/tree_inertia.hpp>
 
@@ -105,7 +106,7 @@ private:
 
   double share_of(const force& f, std::size_t row, double step) const {
     const double own = now_(place(f.at), place(f.at)), of_row = now_(place(row), place(row));
-    const double scaled = std::abs(now_(place(row), place(f.at))) * std::sqrt(own / of_row);
+    const double scaled = std::abs(now_(place(row), place(f.at))) * math::sqrt(own / of_row);
     return step * scaled * f.resistance;
   }
 
