@@ -265,9 +265,9 @@ private:
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
     has_faulted = has_faulted || c.state() == state::faulted;
-    const bool is_over = !goes_on || (opened && opened->ends_run()) || c.state() == state::faulted ||
-                         program.control.anew.is_wanted_to_start() || beats_left(c, first) <= 0;
-    if (!is_over) ended_by_others = "another process has ended the run " + at(c);
+    if (goes_on && !interrupted && !(opened && opened->ends_run()) && c.state() != state::faulted &&
+        !program.control.anew.is_wanted_to_start() && beats_left(c, first) > 0)
+      ended_by_others = "another process has ended the run " + at(c);
   }
 
   // A fault is told while other environments hold the run up, too. From then on the robot is being stopped.

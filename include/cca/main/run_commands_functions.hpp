@@ -36,12 +36,12 @@ CCA_MAIN_INLINE std::string run_commands::obey(run_control& control, std::string
   if (line == "p" || line == "pause") return control.pause(), std::string();
   if (line == "g" || line == "go") return control.go_on(), std::string();
   if (line == "s" || line == "step") {
-    if (control.is_paused()) control.step();
+    if (control.is_pause_wanted()) control.step();
     else control.pause();
     return {};
   }
-  if (line == "r" || line == "resume") return control.anew.ask(begun_anew::wish::resume, control.is_paused());
-  if (line == "start") return control.anew.ask(begun_anew::wish::start, control.is_paused());
+  if (line == "r" || line == "resume") return control.ask_anew(begun_anew::wish::resume);
+  if (line == "start") return control.ask_anew(begun_anew::wish::start);
   std::string unknown = "`" + std::string(line) +
                         "` is no command: p pauses, g goes on, s makes one beat, r resumes after a "
                         "fault, start begins anew, a number from 0.001 to 1000 is the speed";

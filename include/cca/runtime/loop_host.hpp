@@ -143,7 +143,7 @@ private:
       if (between.control().has_news() && !is_single) [[unlikely]] {
         if (!obey(pace, between)) return false;
         begun_anew();
-        is_single = between.control().is_paused();
+        is_single = between.control().holds_pause();
       } else if (!dozes(pace, period())) {
         break;
       } else if (!between.while_paused(self())) {

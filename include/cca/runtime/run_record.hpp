@@ -6,6 +6,7 @@
 #include <atomic>
 #include <concepts>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include <cca/base/monotonic_clock.hpp>
@@ -80,10 +81,18 @@ class run_control {
 public:
   // ---- any thread ----
 
-  void pause() noexcept { is_wanted.store(true, std::memory_order_release), note(); }
-  void go_on() noexcept { is_wanted.store(false, std::memory_order_release), note(); }
+  // A pause, and the end of one, also end the single beats that were to come.
+  void pause() noexcept { end_steps(), is_wanted.store(true, std::memory_order_release), note(); }
+  void go_on() noexcept { end_steps(), is_wanted.store(false, std::memory_order_release), note(); }
+  void end_steps() noexcept { steps.store(0, std::memory_order_release); }
   // In a pause: one beat more.
   void step() noexcept { steps.fetch_add(1, std::memory_order_release), note(); }
+  // Why not; empty: it is asked, in the pause or after the fault that holds the run. No single beat comes
+  // before it.
+  std::string ask_anew(begun_anew::wish what) {
+    end_steps();
+    return anew.ask(what, is_pause_wanted());
+  }
   // Times the clock.
   void set_speed(double factor) noexcept {
     speed.store(factor, std::memory_order_relaxed);
@@ -91,14 +100,16 @@ public:
     has_speed.store(true, std::memory_order_release), note();
   }
   bool is_pause_wanted() const noexcept { return is_wanted.load(std::memory_order_acquire); }
-  // The loop has paused; a beat that was running has ended.
-  bool is_paused() const noexcept { return holds.load(std::memory_order_acquire); }
+  // The loop has paused, and no single beat is to come but the one that it may be in.
+  bool is_paused() const noexcept { return holds_pause() && steps.load(std::memory_order_acquire) == 0; }
   // In a fast run there is no clock whose speed could be changed.
   bool has_refused_speed() const noexcept { return refuses_speed.load(std::memory_order_acquire); }
 
   // ---- the loop's, between two beats ----
 
   bool has_news() const noexcept { return news.load(std::memory_order_acquire); }
+  // After obey(): the next beat is a single one in a pause.
+  bool holds_pause() const noexcept { return holds.load(std::memory_order_acquire); }
 
   // Does what is wanted, and returns when there is to be a beat. While it is paused, idle() is called once a
   // period, and goes_on() as well, or more often if a period is long; false ends the pause and the run.
@@ -117,8 +128,8 @@ public:
     std::int64_t due = monotonic_clock::now();
     while (runs && is_wanted.load(std::memory_order_acquire)) {
       holds.store(true, std::memory_order_release);
-      if (int left = steps.load(std::memory_order_acquire); left > 0) {
-        steps.fetch_sub(1, std::memory_order_relaxed);
+      int left = steps.load(std::memory_order_acquire);
+      if (left > 0 && steps.compare_exchange_strong(left, left - 1, std::memory_order_acq_rel)) {
         note();  // it pauses again after that beat
         return true;
       }

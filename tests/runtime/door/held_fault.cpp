@@ -502,6 +502,12 @@ TEST_CASE("door: a fault in one process ends all, and the door of each says whic
   const auto runs = [](const json& now) { return now["state"] == "running" && now["beat"] > 100; };
   CHECK_FALSE(status_of(at_body, runs).is_null());
   CHECK(at_mind.call("/cca/take_command") == "");
+  const std::string elsewhere =
+      ": another process runs the environment that gives the beat: ask the door of that one";
+  CHECK(at_mind.call("/cca/pause") == "pause" + elsewhere);
+  CHECK(at_mind.call("/cca/go_on") == "go_on" + elsewhere);
+  CHECK(at_mind.call("/cca/step") == "step" + elsewhere);
+  CHECK(at_mind.call("/cca/speed", {{"factor", 0.5}}) == "speed" + elsewhere);
   at_mind.set("guard.more", 90, "set");
   for (client* one : {&at_body, &at_mind}) {
     json last;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <cstring>
 #include <string>
 #include <thread>
 
@@ -318,4 +319,13 @@ TEST_CASE("input tests: without a whole record there is no answer, and the reaso
   begin();
   test.lost(3);
   CHECK(why() == "3 samples of the test were lost: run slower, or record it to a file");
+  test.end(channels);
+  begin();
+  for (std::int64_t beat = 0; beat < 300; ++beat)
+    for (const std::uint16_t channel : {1, 2}) {
+      std::string sample(4 + 16 + sizeof(double), '\0');
+      std::memcpy(sample.data() + 4, &beat, sizeof beat);
+      test.sample(channel, sample);
+    }
+  CHECK(why().find("the signal ended 0.7 s before its time: was the run stopped, or begun anew?") == 0);
 }

@@ -217,6 +217,35 @@ TEST_CASE("door: pause, single beats, speed, parts, and the end of the run") {
   CHECK(r.c.state() == cca::state::started);
 }
 
+TEST_CASE("door: a pause, and its end, end the single beats that were to come") {
+  rig<controller> r;
+  r.beside([&] {
+    const auto beat_now = [&] {
+      (void)r.controls.status();  // asks for a look
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      return r.controls.status().beat;
+    };
+    const auto rests = [&] {
+      wait_until([&] { return r.controls.status().is_paused; });
+      const std::int64_t k = beat_now();
+      CHECK(beat_now() == k);
+    };
+    CHECK(r.ask({.about = what::pause}).is == how::done);
+    rests();
+    CHECK(r.ask({.about = what::step, .number = 1e6}).is == how::done);
+    CHECK_FALSE(r.controls.status().is_paused);
+    CHECK(r.ask({.about = what::pause}).is == how::done);
+    rests();
+    CHECK(r.ask({.about = what::step, .number = 1e6}).is == how::done);
+    CHECK(r.ask({.about = what::go_on}).is == how::done);
+    CHECK(r.ask({.about = what::pause}).is == how::done);
+    rests();
+    CHECK(r.ask({.about = what::step, .number = 1e6}).is == how::done);
+    CHECK(r.ask({.about = what::end_steps}).is == how::done);
+    rests();
+  });
+}
+
 TEST_CASE("door: a fast run has no speed") {
   rig<controller> r(0);
   CHECK(r.ask({.about = what::speed, .number = 2}).why.find("fast run") != std::string::npos);
@@ -273,10 +302,13 @@ TEST_CASE("door: a program's own commands, held and released") {
        .begin = [&](controller&, auto newtons) { pushed.assign(newtons.begin(), newtons.end()); },
        .end = [&](controller&) { ++released; }});
   offers.push_back({.name = "tap", .begin = [&](controller&, auto) { pushed.clear(); }});
+  offers.push_back({.name = "drop",
+                    .begin = [](controller&, auto) { throw cca::refused("the hand is empty"); },
+                    .end = [](controller&) { throw cca::refused("it was empty"); }});
   offers.push_back({.name = "lift", .begin = [&](controller&, auto) { ++lifted; }, .only_at_rest = true});
   rig<controller> r(1, std::move(offers));
   const auto& told = r.controls.description().commands;
-  REQUIRE(told.size() == 3);
+  REQUIRE(told.size() == 4);
   CHECK(told[0].is_held);
   CHECK(told[0].arguments[0].upper == 60);
   CHECK_FALSE(told[1].is_held);
@@ -286,7 +318,7 @@ TEST_CASE("door: a program's own commands, held and released") {
   r.beside([&] {
     CHECK(call("push", {{"forward", number(61)}}).why == "push: forward: expected a number from -60 to 60 N");
     CHECK(call("push", {{"side", number(1)}}).why == "push: there is no argument `side`");
-    CHECK(call("shove", {}).why == "there is no command `shove`: it has push, tap, lift");
+    CHECK(call("shove", {}).why == "there is no command `shove`: it has push, tap, drop, lift");
     CHECK(r.ask({.about = what::release, .text = "tap"}).why.find("over at once") != std::string::npos);
     CHECK(pushed.empty());
     CHECK(call("push", {{"forward", whole(-30)}}).is == how::done);
@@ -295,9 +327,14 @@ TEST_CASE("door: a program's own commands, held and released") {
     CHECK(released == 1);
     CHECK(call("push", {}).is == how::done);
     CHECK(pushed == std::vector<double>{20, 0});
+    CHECK(call("drop", {}).why == "drop: the hand is empty");
+    CHECK(call("tap", {}).is == how::done);
     CHECK(call("lift", {}).why == "pause it first: `lift` is refused while it runs");
     CHECK(r.ask({.about = what::pause}).is == how::done);
     CHECK(call("lift", {}).is == how::done);
+    CHECK(lifted == 1);
+    CHECK(r.ask({.about = what::step, .number = 1e6}).is == how::done);
+    CHECK(call("lift", {}).is == how::refused);
     CHECK(lifted == 1);
     CHECK(r.ask({.about = what::go_on}).is == how::done);
     wait_until([&] { return !r.live.is_paused(); });

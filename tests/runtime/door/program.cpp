@@ -72,12 +72,29 @@ TEST_CASE_TEMPLATE("door: a program is looked at, tuned, pushed, paused and stop
   walk.wait_for("released");
   CHECK(other.call("/cca/pause") == "");
   CHECK(other.call("/cca/step", {{"beats", 2}}) == "");
+  other.set("filter.gain", 0.5, "paused");
+  CHECK(other.next("parameterValues")["parameters"][0]["value"] == 0.5);
   CHECK(other.call("/cca/go_on") == "");
   CHECK(other.call("/cca/speed", {{"factor", 0.5}}) == "");
   CHECK(other.call("/cca/command/push") == "");
   CHECK(other.call("/cca/stop") == "");
   walk.wait_for("released");
   CHECK(walk.code() == 0);
+}
+
+TEST_CASE_TEMPLATE("door: a signal in a pause ends a program, and no other process has",
+                   Architecture,
+                   graph,
+                   split) {
+  child walk(cca::robot_main<program<Architecture>>, {"--door", "0"});
+  walk.wait_for("started");
+  const where at = where_in(walk.out + walk.err);
+  client other(at.port, at.token);
+  CHECK(other.call("/cca/take_command") == "");
+  CHECK(other.call("/cca/pause") == "");
+  walk.send(SIGTERM);
+  CHECK(walk.code() == 143);
+  CHECK(walk.err.find("another process") == std::string::npos);
 }
 
 TEST_CASE("door: a program waits for `go on`, idles meanwhile, and records from then on") {

@@ -246,6 +246,51 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "With the connection of the commander its speed and its single beats end, and given back they stay") {
+  opened one;
+  client other(one.port(), token);
+  const auto commands = [&](client& c) {
+    CHECK(c.waits([&] { return c.call("/cca/take_command").empty(); }));
+    CHECK(c.call("/cca/speed", {{"factor", 0.25}}).empty());
+    CHECK(c.call("/cca/speed", {{"factor", 0.5}}).empty());
+    CHECK(c.call("/cca/step", {{"beats", 1000}}).empty());
+  };
+  {
+    client c(one.port(), token);
+    commands(c);
+    CHECK(c.call("/cca/give_command").empty());
+    c.wire.reset();
+  }
+  std::this_thread::sleep_for(20ms);
+  CHECK(one.controls.status().speed == 0.5);
+  CHECK_FALSE(one.controls.was_asked(about::end_steps));
+  {
+    client c(one.port(), token);
+    CHECK(c.waits([&] { return c.call("/cca/take_command").empty(); }));
+    CHECK(c.call("/cca/speed", {{"factor", 2}}).empty());
+    CHECK(c.call("/cca/give_command").empty());
+    commands(c);
+    c.wire.reset();  // killed
+  }
+  CHECK(soon([&] { return one.controls.was_asked(about::end_steps); }));
+  CHECK(soon([&] { return one.controls.status().speed == 2; }));
+  CHECK(other.waits([&] { return other.call("/cca/take_command").empty(); }));
+}
+
+TEST_CASE("A start ends a test, and what had come of it is no answer") {
+  testable one;
+  client c(one.port(), token);
+  CHECK(c.call("/cca/take_command").empty());
+  CHECK(c.call("/cca/test", sine(0.1)) == "");
+  CHECK(one.signal() == "sine");
+  CHECK(c.call("/cca/start") == "");
+  CHECK(soon([&] { return one.signal() == "off"; }));
+  CHECK(c.call("/cca/response") == "/cca/response: the test of servo.reference was ended by a start");
+  CHECK(c.call("/cca/test", sine(0.1)) == "");
+  ends_with_right(one, c);
+}
+
 TEST_CASE("A commander that is silent is lost, and one that answers pings is not") {
   opened one({.on_lost = cca::when_lost::stop}, {.silence = 20000ms, .commander_silence = 2500ms});
   client silent(one.port(), token);

@@ -92,6 +92,7 @@ struct door_request {
     pause,
     go_on,
     step,
+    end_steps,  // that are to come
     speed,
     end_run,
     resume,

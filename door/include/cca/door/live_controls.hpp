@@ -141,6 +141,8 @@ public:
                                 ? control.is_paused() || (has_looked && live.state() != state::running)
                                 : live.is_taken();
     if (!has_effect) return {door_outcome::how::begun, {}};
+    if (begun == about::command && !commands.failure().empty())
+      return {door_outcome::how::refused, commands.failure()};
     if (begun != about::request) return {};
     if (const std::string by = live.refused_by(); !by.empty())
       return {door_outcome::how::refused, "`" + by + "` refuses it for now"};
@@ -236,6 +238,7 @@ private:
       case what::release:
         return call(request);
       case what::pause:
+        check_gives_beat("pause");
         control.pause();
         begun = about::pause;
         return {door_outcome::how::begun, {}};
@@ -250,10 +253,15 @@ private:
   }
   door_outcome begin_anew(begun_anew::wish wish) {
     if (control.anew.is_wanted()) return {door_outcome::how::busy, {}};
-    if (std::string why = control.anew.ask(wish, control.is_paused()); !why.empty())
+    if (std::string why = control.ask_anew(wish); !why.empty())
       return {door_outcome::how::refused, std::move(why)};
     begun = about::anew;
     return {door_outcome::how::begun, {}};
+  }
+  void check_gives_beat(const char* asked) const {
+    if (!live.gives_beat())
+      throw refused(std::string(asked) +
+                    ": another process runs the environment that gives the beat: ask the door of that one");
   }
   door_outcome call(const door_request& request) {
     if (!commands.is_taken()) return {door_outcome::how::busy, {}};
@@ -265,18 +273,23 @@ private:
   void command_run(const door_request& request) {
     switch (request.about) {
       case what::go_on:
+        check_gives_beat("go_on");
         if (control.anew.holds_fault())
           throw refused("go_on: a fault has stopped it: `resume` goes on, `start` begins anew");
         return control.go_on();
       case what::step:
+        check_gives_beat("step");
         if (control.anew.holds_fault())
           throw refused("step: a fault has stopped it: `resume` goes on, in a pause by one beat");
-        if (!control.is_paused()) throw refused("step: the run is not paused: pause it first");
+        if (!control.is_pause_wanted()) throw refused("step: the run is not paused: pause it first");
         if (!(request.number >= 1 && request.number <= 1e6))
           throw refused("step: expected a number of beats from 1 to 1000000");
         for (double n = 0; n < request.number; ++n) control.step();
         return;
+      case what::end_steps:
+        return control.end_steps();
       case what::speed:
+        check_gives_beat("speed");
         if (!(request.number >= 1e-3 && request.number <= 1e3))
           throw refused("speed: expected a factor from 0.001 to 1000: 0.5 is half as fast as the clock");
         if (speed == 0) throw refused("speed: this is a fast run, which has none");

@@ -5,6 +5,8 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdio>
+#include <exception>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +45,8 @@ public:
   // ---- the door's thread ----
 
   bool is_taken() const noexcept { return !is_asked.load(std::memory_order_acquire); }
+  // Of the one that was taken last: why its function has refused it. Empty: it has not.
+  const std::string& failure() const noexcept { return why_failed; }
   // Why not; empty: it is asked. `rests`: it makes no beats now.
   std::string ask(const door_request& request, bool rests) {
     const std::size_t number = number_of(request.text);
@@ -65,15 +69,27 @@ public:
   void obey(Controller& c) {
     if (!is_asked.load(std::memory_order_acquire)) return;
     const command& one = all[asked];
-    if (!is_end) one.begin(c, std::span(values).first(one.arguments.size())), is_held[asked] = bool{one.end};
-    else if (is_held[asked]) one.end(c), is_held[asked] = false;
+    // A command is the program's: what it throws is its answer, and no end of the run.
+    try {
+      why_failed.clear();
+      if (!is_end) {
+        one.begin(c, std::span(values).first(one.arguments.size()));
+        is_held[asked] = bool{one.end};
+      } else if (std::exchange(is_held[asked], false)) {
+        one.end(c);
+      }
+    } catch (const std::exception& e) { why_failed = one.name + ": " + e.what(); }
     is_asked.store(false, std::memory_order_release);
   }
   // The run is over: nothing goes on being held.
   void end(Controller& c) {
     obey(c);
     for (std::size_t n = 0; n < all.size(); ++n)
-      if (is_held[n]) all[n].end(c), is_held[n] = false;
+      if (std::exchange(is_held[n], false)) try {
+          all[n].end(c);
+        } catch (const std::exception& e) {
+          std::fprintf(stderr, "cca::door: the end of %s: %s\n", all[n].name.c_str(), e.what());
+        }
   }
 
 private:
@@ -114,6 +130,7 @@ private:
   std::array<double, command::most_arguments> values{};
   std::size_t asked = 0;
   bool is_end = false;
+  std::string why_failed{};  // the loop's until is_asked is false
   std::atomic<bool> is_asked{false};
 };
 

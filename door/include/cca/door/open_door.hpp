@@ -82,9 +82,11 @@ public:
   {
     if (controls.is_wanted(Environment)) live.template after_beat<Environment>(c);
   }
-  // In a pause of one loop, what has stopped the robot is told; other environments may be in a beat.
+  // In a pause of one loop, what has stopped the robot is told. Other environments may be in a beat; they
+  // take their shares themselves.
   bool look_while_paused(Controller& c) {
-    if constexpr (!is_of_environments) controls.tell_causes(c);
+    if constexpr (is_of_environments) live.template after_beat<0>(c);
+    else controls.tell_causes(c);
     return look_now(c);
   }
   // Where no loop runs.

@@ -44,7 +44,7 @@ public:
   explicit live_access_to(const Controller& c)
       : live_outputs<Controller, Graph>(c),
         live_requests<Controller, Graph>(c),
-        gives_beat(live_components::gives_beat(c)) {
+        paces(live_components::gives_beat(c)) {
     look(c);
   }
 
@@ -76,6 +76,8 @@ public:
   void go_on() { controlled().go_on(); }
   void step() { controlled().step(); }
   bool is_paused() const noexcept { return commands.is_paused(); }
+  // Whether this process runs the environment that gives the beat: only that one pauses the run.
+  bool gives_beat() const noexcept { return paces; }
   // Of a wall-clock run, times the clock: 0.5 is half as fast. Refused: what is not above 0. A fast run has
   // no speed: then has_refused_speed() is true when the loop has looked.
   void set_speed(double factor) {
@@ -113,7 +115,7 @@ protected:
 private:
   // Only the loop that gives the beat can pause.
   run_control& controlled() {
-    if (!gives_beat)
+    if (!paces)
       throw refused(
           "cca::live_access: another process runs the environment that gives the beat, so only that "
           "one can pause the run or change its speed");
@@ -121,7 +123,7 @@ private:
   }
 
   run_control commands;
-  bool gives_beat = true;
+  bool paces = true;
   std::atomic<cca::state> now{};
   std::atomic<std::int64_t> k{0}, late{0};
   std::atomic<const char*> reason{nullptr};

@@ -128,6 +128,7 @@ inline void hub::request(
   if (is_stop) task.request.text = c.name + " has ended the run through the door";
   task.may_set = of.about == door_request::what::load;
   task.is_held = of.is_held;
+  if (of.about == door_request::what::speed) task.speed = controls.status().speed;
   task.answer = [this, client = c.id, one](const door_outcome& outcome) { answer(client, one, outcome); };
   if (is_stop) requests.add_first(std::move(task), now);
   else requests.add(std::move(task), now);
@@ -186,6 +187,13 @@ inline void hub::end(
     else held.insert(task.request.text);
   }
   if (done && task.request.about == door_request::what::release) held.erase(task.request.text);
+  if (done && task.request.about == door_request::what::speed && task.client != 0) {
+    if (has_lost) set_speed_back(task.speed, task.since);
+    else if (!speed_before) speed_before = task.speed;
+  }
+  if (done && task.request.about == door_request::what::step) has_stepped = true;
+  // Components begin anew, so a signal that one of them added is over.
+  if (done && task.request.about == door_request::what::start) cut_test(task.since, "a start");
 }
 
 // The values before a change, for undo; and a step of it is used up.

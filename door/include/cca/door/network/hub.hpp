@@ -93,9 +93,11 @@ private:
   const std::string session;
   std::uint64_t last_id = 0;
   door_client* commander = nullptr;
-  std::set<std::string> held{};    // commands, by the commander
-  input_test tested{};             // the last one
-  input_test before{};             // the one before it, while that can still be refused
+  std::set<std::string> held{};          // commands, by the commander
+  std::optional<double> speed_before{};  // the commander changed it
+  bool has_stepped = false;              // the commander
+  input_test tested{};                   // the last one
+  input_test replaced{};                 // the one before it, while that can still be refused
   std::set<std::string> driven{};  // nodes of tests that a change of their parameters has begun, or a file
   std::deque<undo_step> changes{};
   values known{};
@@ -126,6 +128,7 @@ private:
   void give_command(door_client&, time_point now);
   void lose_command(const std::string& client, time_point now);
   void release(const std::string& command, time_point now);
+  void set_speed_back(double to, time_point now);
   std::string why_not(const door_client&, bool needs_command) const;
   void log(const std::string& client, const std::string& what, bool is_change);
 
@@ -141,7 +144,7 @@ private:
   // input_tests_functions.hpp
   void begin_test(door_client&, const service_call&, const json&, time_point now);
   void end_test(door_client&, const service_call&, time_point now);
-  void cut_test(time_point now);
+  void cut_test(time_point now, const std::string& by = {});
   void switch_test_off(const std::string& node, time_point now);
   std::vector<std::string> tests_begun(const values& before, const values& after);
   void tell_response(door_client&, const service_call&);

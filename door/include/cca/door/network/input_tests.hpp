@@ -50,8 +50,8 @@ public:
   bool is_running(std::uint64_t now) const {
     return own_id != 0 && !is_cut && (began == none || now < began + nanoseconds(asked.duration));
   }
-  // It was ended before its time.
-  void cut() { is_cut = true; }
+  // It was ended before its time. `by`: what makes its record useless; empty: what has come can be answered.
+  void cut(const std::string& by) { is_cut = true, cut_by = by; }
   void sample(std::uint16_t channel, std::string_view data);
   // Nothing more of it is to come.
   void rest_if_over(std::uint64_t now, shown_channels& channels) {
@@ -83,6 +83,7 @@ private:
   std::uint64_t lost_messages = 0;
   std::int64_t period = 0;  // ns, of a beat
   bool is_cut = false, is_listening = false;
+  std::string cut_by{};
 };
 
 }  // namespace cca::detail::door_network

@@ -116,7 +116,7 @@ inline void input_test::listen(shown_channels& channels, bool does) const {
   if (asked.from) channels.listen(asked.from->channel, does);
 }
 inline void input_test::begin(std::uint64_t with_id, std::int64_t period_of_beat, shown_channels& channels) {
-  own_id = with_id, began = none, lost_messages = 0, period = period_of_beat, is_cut = false;
+  own_id = with_id, began = none, lost_messages = 0, period = period_of_beat, is_cut = false, cut_by.clear();
   is_listening = true;
   listen(channels, true);
 }
@@ -152,6 +152,7 @@ inline std::optional<json> input_test::response(std::uint64_t now, std::string& 
   if (is_running(now)) return why = "the test of " + input() + " runs", std::nullopt;
   if (!is_cut && now < began + nanoseconds(asked.duration + rest))
     return why = "the test of " + input() + " runs: its output comes to rest", std::nullopt;
+  if (!cut_by.empty()) return why = "the test of " + input() + " was ended by " + cut_by, std::nullopt;
   if (lost_messages > 0)
     return why = std::to_string(lost_messages) +
                  " samples of the test were lost: run slower, or record it to a file",
@@ -163,6 +164,12 @@ inline std::optional<json> input_test::response(std::uint64_t now, std::string& 
   for (std::size_t i = 1; i < u.size(); ++i) stride = std::min(stride, u[i].first - u[i - 1].first);
   stride = std::max<std::int64_t>(stride, 1);
   const double rate = 1e9 / static_cast<double>(period * stride);
+  const auto missing = asked.duration - static_cast<double>(u.back().first - u[0].first + stride) * 1e-9 *
+                                            static_cast<double>(period);
+  if (!is_cut && u.size() < most_samples && missing > 2 / rate)
+    return why = "the signal ended " + number_text(missing) +
+                 " s before its time: was the run stopped, or begun anew?",
+           std::nullopt;
   const std::int64_t last = std::min(asked.output.samples.back().first,
                                      u.back().first + static_cast<std::int64_t>(1e9 * rest) / period);
   const auto record = [&](const port& of, double before, bool ends) {
@@ -233,7 +240,7 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
   if (const std::string why = next.read(given, controls.description().tests, channels); !why.empty())
     return refuse(why);
   tested.end(channels);
-  before = std::exchange(tested, next);
+  replaced = std::exchange(tested, next);
   tested.begin(++last_id, controls.status().period, channels);
   door_task task{.client = c.id, .name = c.name, .what = "/cca/test " + next.input(), .may_set = true};
   task.request.about = door_request::what::set;
@@ -245,9 +252,9 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
         tested.begun(channels.latest);
       } else {
         tested.end(channels);
-        tested = std::move(before);  // its record is still the newest
+        tested = std::move(replaced);  // its record is still the newest
       }
-      before = {};
+      replaced = {};
     }
     answer(client, one, {outcome.is, outcome.why.empty() ? "" : "/cca/test: " + outcome.why});
   };
@@ -256,11 +263,11 @@ inline void hub::begin_test(door_client& c, const service_call& one, const json&
 }
 
 // As a command that is held: it ends with the right to command.
-inline void hub::cut_test(time_point now) {
+inline void hub::cut_test(time_point now, const std::string& by) {
   requests.refuse_tests("it was ended before a beat began it");
   for (const std::string& node : std::exchange(driven, {})) switch_test_off(node, now);
   if (!tested.is_running(channels.latest)) return;
-  tested.cut();
+  tested.cut(by);
   switch_test_off(tested.node(), now);
 }
 inline void hub::switch_test_off(const std::string& node, time_point now) {

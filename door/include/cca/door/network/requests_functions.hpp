@@ -29,6 +29,7 @@ struct door_task {
   std::function<void(const door_outcome&)> answer{};
   bool is_undo = false, is_held = false;  // held: a command that has an effect until it is released
   std::string test{};  // the node of a test that it begins or ends, which no undo takes back
+  double speed = 0;    // of the run, before it changes that
   time_point since{};
 };
 

@@ -49,6 +49,7 @@ inline std::string hub::take_command(door_client& c) {
 inline void hub::give_command(door_client& c, time_point now) {
   for (const std::string& one : std::exchange(held, {})) release(one, now);
   cut_test(now);
+  speed_before.reset(), has_stepped = false;  // they stay
   commander = nullptr;
   log(c.name, "gives the command back", true);
   tell_rights();
@@ -68,6 +69,19 @@ inline void hub::lose_command(const std::string& client, time_point now) {
   }
   for (const std::string& one : std::exchange(held, {})) release(one, now);
   cut_test(now);
+  if (const auto before = std::exchange(speed_before, {})) set_speed_back(*before, now);
+  if (std::exchange(has_stepped, false)) {
+    door_task task{.name = "door", .what = "ends the single beats"};
+    task.request.about = about::end_steps;
+    requests.add_first(std::move(task), now);
+  }
+}
+
+inline void hub::set_speed_back(double to, time_point now) {
+  door_task task{.name = "door", .what = "sets the speed back to " + number_text(to)};
+  task.request.about = door_request::what::speed;
+  task.request.number = to;
+  requests.add_first(std::move(task), now);
 }
 
 inline void hub::release(const std::string& command, time_point now) {

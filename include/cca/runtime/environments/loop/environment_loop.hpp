@@ -142,7 +142,7 @@ public:
         if (is_single || !obey.has_news()) break;
         this->hold(obey);
         first = k;
-        is_single = obey.is_paused();
+        is_single = obey.holds_pause();
       }
     }
   }

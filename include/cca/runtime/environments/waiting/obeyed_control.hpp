@@ -35,8 +35,8 @@ struct obeyed_control {
     else return false;
   }
   // After operator(): it makes a single beat in a pause.
-  bool is_paused() const {
-    if constexpr (Controls<Between, Deployed>) return between.control().is_paused();
+  bool holds_pause() const {
+    if constexpr (Controls<Between, Deployed>) return between.control().holds_pause();
     else return false;
   }
   // Looks for what others want while the next beat is far off. False: the run ends.
