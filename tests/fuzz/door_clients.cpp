@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -95,7 +96,9 @@ private:
   std::uint64_t run_time = 0, tested_until = 0;
   bool guards_reading = false, has_refused = false, was_idle = true, stops = false;
   std::optional<std::size_t> commands{};  // which client should
-  std::size_t before = 0, seen = 0, lost = 0, ends_of_lost = 0, last_channel = 0;
+  std::size_t before = 0, seen = 0, lost = 0, given = 0, ends_of_lost = 0, last_channel = 0;
+  std::size_t ends_of_steps = 0, ends_of_speed = 0;
+  std::set<double> speeds{1};  // that it had
   std::uint32_t last_call = 0;
   std::map<about, std::size_t> allowed{}, taken{};
   // `begun`: one may still be taken of a client that is lost. `is_mixed`: some wait of one that has given
@@ -290,7 +293,7 @@ private:
         if (*succeeds) commands = who;
       } else if (of.what == does::give_command) {
         succeeds = may;
-        if (*succeeds) commands.reset(), is_mixed = is_mixed || door->is_busy();
+        if (*succeeds) commands.reset(), ++given, is_mixed = is_mixed || door->is_busy();
       } else if (of.about == about::end_run && of.what == does::request) {
         stops = had_token;
         allowed[about::end_run] += had_token;
@@ -361,9 +364,15 @@ private:
       if (one.about == about::end_run) is_pushed = is_tested = false;  // with the run all ends that was held
       if (one.about == about::call && one.text == "push") is_pushed = true;
       if (one.about == about::release && one.text == "push") is_pushed = false;
+      // With a lost commander single beats end, and the speed is again one that it was.
       const bool is_of_door =
-          is_end_of_effect(one) || (one.about == of_lost() && ends_of_lost < lost && (++ends_of_lost, true));
+          is_end_of_effect(one) ||
+          (one.about == of_lost() && ends_of_lost < lost && (++ends_of_lost, true)) ||
+          (one.about == about::end_steps && ends_of_steps < lost && (++ends_of_steps, true)) ||
+          (one.about == about::speed && speeds.contains(one.number) && ends_of_speed < lost + given &&
+           (++ends_of_speed, true));
       if (is_of_door) continue;
+      if (one.about == about::speed) speeds.insert(one.number);
       if (++taken[one.about] > allowed[one.about] && std::exchange(begun, false)) ++allowed[one.about];
       fuzz::must(taken[one.about] <= allowed[one.about]);
     }
