@@ -71,9 +71,9 @@ TEST_CASE_TEMPLATE("door: a program is looked at, tuned, pushed, paused and stop
   CHECK(other.call("/cca/release/push") == "");
   walk.wait_for("released");
   CHECK(other.call("/cca/pause") == "");
-  CHECK(other.call("/cca/step", {{"beats", 2}}) == "");
   other.set("filter.gain", 0.5, "paused");
   CHECK(other.next("parameterValues")["parameters"][0]["value"] == 0.5);
+  CHECK(other.call("/cca/step", {{"beats", 2}}) == "");
   CHECK(other.call("/cca/go_on") == "");
   CHECK(other.call("/cca/speed", {{"factor", 0.5}}) == "");
   CHECK(other.call("/cca/command/push") == "");
