@@ -1,6 +1,7 @@
 // Programs with `--door`: a graph, a deployment, and cca::door in a program of one's own.
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
@@ -75,6 +76,14 @@ TEST_CASE_TEMPLATE("door: a program is looked at, tuned, pushed, paused and stop
   CHECK(other.next("parameterValues")["parameters"][0]["value"] == 0.5);
   CHECK(other.call("/cca/step", {{"beats", 2}}) == "");
   CHECK(other.call("/cca/go_on") == "");
+  // Where beats are a second apart, requests are taken between them.
+  CHECK(other.call("/cca/speed", {{"factor", 0.001}}) == "");
+  const auto begin = std::chrono::steady_clock::now();
+  for (int n = 0; n < 8; ++n) {
+    other.set("filter.gain", 0.5 + 0.01 * n, "slow");
+    CHECK(other.next("parameterValues")["parameters"][0]["value"] == 0.5 + 0.01 * n);
+  }
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(4));
   CHECK(other.call("/cca/speed", {{"factor", 0.5}}) == "");
   CHECK(other.call("/cca/command/push") == "");
   CHECK(other.call("/cca/stop") == "");
