@@ -37,48 +37,62 @@ private:
   template <int Count, class Vector>
   [[gnu::always_inline]] static void rows(
       const Number* weights, const Number* start, int row, const Vector& x, output& y) {
-    constexpr int in_a_pack = 16 / static_cast<int>(sizeof(Number));
-    if constexpr (Count % in_a_pack == 0) {
-      packs<in_a_pack>(std::make_index_sequence<static_cast<std::size_t>(Count / in_a_pack)>{}, weights,
-                       start, row, x, y);
-    } else {
-      using part = Eigen::Map<const Eigen::Matrix<Number, Count, 1>>;
-      Eigen::Matrix<Number, Count, 1> sums = part(start + row);
-      for (int j = 0; j < From; ++j) sums += x[j] * part(weights + To * j + row);
-      y.template segment<Count>(row) = sums;
-    }
+    constexpr int in_a_pack = 16 / static_cast<int>(sizeof(Number)), rest = Count % in_a_pack;
+    if constexpr (Count >= in_a_pack)
+      sums<pack>(std::make_integer_sequence<int, Count / in_a_pack>(), weights, start, row, x, y);
+    if constexpr (rest > 0)
+      sums<Number>(std::make_integer_sequence<int, rest>(), weights, start, row + Count - rest, x, y);
   }
 
   using pack [[gnu::vector_size(16)]] = Number;
 
-  [[gnu::always_inline]] static pack loaded(const Number* from) {
-    pack p;
+  template <class Part>
+  [[gnu::always_inline]] static Part loaded(const Number* from) {
+    Part p;
     std::memcpy(&p, from, sizeof p);
     return p;
   }
-  // Four columns at a time: counting them one by one takes a tenth of the instructions.
-  template <int Lanes, std::size_t... I, class Vector>
-  [[gnu::always_inline]] static void packs(std::index_sequence<I...>,
-                                           const Number* weights,
-                                           const Number* start,
-                                           int row,
-                                           const Vector& x,
-                                           output& y) {
-    pack sums[sizeof...(I)] = {loaded(start + row + static_cast<int>(I) * Lanes)...};
+  // The products of some columns, the sum of one half and that of the other.
+  template <int First, int Columns, class Part>
+  [[gnu::always_inline]] static Part products(const Part* by, const Number* column) {
+    if constexpr (Columns == 1)
+      return by[First] * loaded<Part>(column + First * To);
+    else
+      return products<First, Columns / 2>(by, column) +
+             products<First + Columns / 2, Columns / 2>(by, column);
+  }
+  // Some columns at a time: counting them one by one takes a tenth of the instructions.
+  template <class Part, int... I, class Vector>
+  [[gnu::always_inline]] static void sums(std::integer_sequence<int, I...>,
+                                          const Number* weights,
+                                          const Number* start,
+                                          int row,
+                                          const Vector& x,
+                                          output& y) {
+    constexpr int lanes = sizeof(Part) / sizeof(Number);
+    Part all[sizeof...(I)] = {loaded<Part>(start + row + I * lanes)...};
     const Number* column = weights + row;
-    const auto add = [&](const Number* of, Number by) {
-      const pack all = by - pack{};  // in all lanes; by + 0 would be an addition
-      ((sums[I] += all * loaded(of + static_cast<int>(I) * Lanes)), ...);
-    };
     int j = 0;
-    for (; j + 4 <= From; j += 4, column += 4 * To) {
-      add(column, x[j]);
-      add(column + To, x[j + 1]);
-      add(column + 2 * To, x[j + 2]);
-      add(column + 3 * To, x[j + 3]);
+    const auto add = [&]<int... C>(std::integer_sequence<int, C...>) __attribute__((always_inline)) {
+      constexpr int columns = sizeof...(C);
+      const Part by[] = {x[j + C] - Part{}...};  // in all lanes; x + 0 would be an addition
+      ((all[I] += products<0, columns>(by, column + I * lanes)), ...);
+      j += columns;
+      column += columns * To;
+    };
+    constexpr std::make_integer_sequence<int, 1> one;
+    if constexpr (sizeof(Number) == sizeof(float)) {
+      while (j + 8 <= From) add(std::make_integer_sequence<int, 8>());
+    } else {
+      while (j + 4 <= From) {
+        add(one);
+        add(one);
+        add(one);
+        add(one);
+      }
     }
-    for (; j < From; ++j, column += To) add(column, x[j]);
-    (std::memcpy(y.data() + row + static_cast<int>(I) * Lanes, &sums[I], sizeof(pack)), ...);
+    while (j < From) add(one);
+    (std::memcpy(y.data() + row + I * lanes, &all[I], sizeof(Part)), ...);
   }
 };
 
