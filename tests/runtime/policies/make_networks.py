@@ -54,6 +54,7 @@ class Net:
         h.set_model_props(model, meta or {})
         if self.opset <= 17:
             onnx.checker.check_model(model)
+        file.with_name(f"{file.name}.data").unlink(missing_ok=True)  # onnx.save writes behind what is there
         onnx.save(model, str(file), save_as_external_data=beside, location=f"{file.name}.data", size_threshold=0)
 
 
@@ -164,6 +165,15 @@ def networks():
         x = net.op("Mul", x, net.op("Sigmoid", x))
     net.gemm(x, 32, ACTIONS, name="actions")
     yield "beside", net, {"beside": True}
+    net = Net(41)  # a wide layer of SiLU on raw observations, far outside of those that its normaliser knows, and bounded commands
+    x = net.op("Sub", "obs", net.random(1, OBSERVED, scale=1.0))
+    x = net.op("Mul", x, net.tensor(np.exp(net.r.uniform(0, np.log(50), (1, OBSERVED)))))
+    for size_in, size_out in [(OBSERVED, 384), (384, 24)]:
+        x = net.gemm(x, size_in, size_out)
+        x = net.op("Mul", x, net.op("Sigmoid", x))
+    x = net.op("Gemm", x, net.random(ACTIONS, 24, scale=0.03), net.random(ACTIONS, scale=0.1), transB=1)
+    net.op("Tanh", x, name="actions")
+    yield "silu_raw", net, {}
     H = 16
     for seed, (name, normal) in enumerate([("lstm", False), ("lstm_normalised", True)], 21):
         net = Net(seed)

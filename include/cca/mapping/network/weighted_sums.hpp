@@ -3,7 +3,12 @@
 // W stands by columns, then b. Some rows at a time, whose sums stay in registers through all columns: Eigen's
 // product of a matrix and a vector loads and stores them again for every few columns, and takes some 15 %
 // more instructions. `from` begins with other sums than the b behind W.
-// If an input is NaN or infinite the output is NaN or any number; there is no status and no fault.
+//
+// In float, the products of eight columns are added to each other in pairs, and then to the sum: as many
+// additions as one after the other, and in layers of 512 half of the rounding errors or less
+// (docs/policies.md). In double one after the other: there nothing is lost that matters, and trained policies
+// keep their bits. Plain arithmetic in a fixed order: every machine gives the same. If an input is NaN or
+// infinite the output is NaN or any number; there is no status and no fault.
 #pragma once
 
 #include <cstddef>
@@ -55,8 +60,7 @@ private:
   // The products of some columns, the sum of one half and that of the other.
   template <int First, int Columns, class Part>
   [[gnu::always_inline]] static Part products(const Part* by, const Number* column) {
-    if constexpr (Columns == 1)
-      return by[First] * loaded<Part>(column + First * To);
+    if constexpr (Columns == 1) return by[First] * loaded<Part>(column + First * To);
     else
       return products<First, Columns / 2>(by, column) +
              products<First + Columns / 2, Columns / 2>(by, column);
