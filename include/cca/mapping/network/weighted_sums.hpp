@@ -73,30 +73,29 @@ private:
                                           int row,
                                           const Vector& x,
                                           output& y) {
-    constexpr int lanes = sizeof(Part) / sizeof(Number);
-    Part all[sizeof...(I)] = {loaded<Part>(start + row + I * lanes)...};
+    constexpr int in_a_part = sizeof(Part) / sizeof(Number);
+    Part all[sizeof...(I)] = {loaded<Part>(start + row + I * in_a_part)...};
     const Number* column = weights + row;
     int j = 0;
-    const auto add = [&]<int... C>(std::integer_sequence<int, C...>) __attribute__((always_inline)) {
-      constexpr int columns = sizeof...(C);
-      const Part by[] = {x[j + C] - Part{}...};  // in all lanes; x + 0 would be an addition
-      ((all[I] += products<0, columns>(by, column + I * lanes)), ...);
-      j += columns;
-      column += columns * To;
+    // `first`: of the columns from j on.
+    const auto add = [&]<int... C>(int first,
+                                   std::integer_sequence<int, C...>) __attribute__((always_inline)) {
+      const Part by[] = {x[j + first + C] - Part{}...};  // in all lanes; x + 0 would be an addition
+      ((all[I] += products<0, static_cast<int>(sizeof...(C))>(by, column + first * To + I * in_a_part)), ...);
     };
-    constexpr std::make_integer_sequence<int, 1> one;
+    constexpr std::integer_sequence<int, 0> one;
     if constexpr (sizeof(Number) == sizeof(float)) {
-      while (j + 8 <= From) add(std::make_integer_sequence<int, 8>());
+      for (; j + 8 <= From; j += 8, column += 8 * To) add(0, std::make_integer_sequence<int, 8>());
     } else {
-      while (j + 4 <= From) {
-        add(one);
-        add(one);
-        add(one);
-        add(one);
+      for (; j + 4 <= From; j += 4, column += 4 * To) {
+        add(0, one);
+        add(1, one);
+        add(2, one);
+        add(3, one);
       }
     }
-    while (j < From) add(one);
-    (std::memcpy(y.data() + row + I * lanes, &all[I], sizeof(Part)), ...);
+    for (; j < From; ++j, column += To) add(0, one);
+    (std::memcpy(y.data() + row + I * in_a_part, &all[I], sizeof(Part)), ...);
   }
 };
 
