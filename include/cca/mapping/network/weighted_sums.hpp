@@ -77,7 +77,7 @@ private:
     Part all[sizeof...(I)] = {loaded<Part>(start + row + I * in_a_part)...};
     const Number* column = weights + row;
     int j = 0;
-    // `first`: of the columns from j on.
+    // `first`: of the columns from j on. always_inline: calls otherwise (docs/compilers.md).
     const auto add = [&]<int... C>(int first,
                                    std::integer_sequence<int, C...>) __attribute__((always_inline)) {
       const Part by[] = {x[j + first + C] - Part{}...};  // in all lanes; x + 0 would be an addition
