@@ -17,7 +17,6 @@
 
 #include <cca/robots/joint_law.hpp>
 #include <cca/sim/compiled/built/built_robot.hpp>
-#include <cca/sim/compiled/contacts/slots.hpp>
 #include <cca/sim/compiled/limbs/limb_solution.hpp>
 #include <cca/sim/compiled/line_forces.hpp>
 #include <cca/sim/compiled/tree_motion.hpp>
@@ -169,7 +168,7 @@ private:
     for (std::size_t c = 0; c < n; ++c) {
       const robots::joint_drive& d = built->drives[c];
       const law_of<Real>& law = drives.laws[c];
-      joint_in_step<Real>& j = joints.make(c);
+      joint_in_step<Real>& j = joints[c];
       j.now = {h, m.q[c], m.dq[c], now.mass.diagonal(row(c))};
       const bool winds = d.cable.stiffness > 0, holds = is_law_of_position(law);
       pulley<Real>& p = drives.pulleys[c];
@@ -185,7 +184,7 @@ private:
       if (tree::ranges[c].exists()) j.way_beyond = beyond(tree::ranges[c], m.q[c]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i)
-      lines.make(i, tree::lines[i], now.places(), m.dq, [&](std::size_t c) { return joints[c].now.inertia; }, h);
+      lines[i] = {tree::lines[i], now.places(), m.dq, [&](std::size_t c) { return joints[c].now.inertia; }, h};
   }
 
   constexpr void rub(std::size_t c, const Real& guess, const Real& last) {
@@ -246,8 +245,8 @@ private:
 
   double h;
   const built_robot<R>* built;
-  slots<joint_in_step<Real>, n> joints;
-  slots<line_in_step<R, Real>, tree::lines.size() + 1> lines;  // there may be none
+  std::array<joint_in_step<Real>, n> joints{};
+  std::array<line_in_step<R, Real>, tree::lines.size()> lines{};
   std::array<answer<Real>, n + tree::lines.size()> taken{};
   std::array<Real, n> sides{};  // of the motors, in the last round
 };

@@ -2,7 +2,6 @@
 //
 //   slots<contact, 32> all;   costs nothing
 //   all.make(k)               begins the value k; all[k] is it from then on
-//   all.make(k, a, b)         from a and b
 //
 // For trivially destructible values, on the stack: to write those that a step doesn't need would cost more
 // than a step without contacts.
@@ -23,11 +22,6 @@ public:
   slots() {}  // NOLINT(modernize-use-equals-default): the room stays without values
 
   T& make(std::size_t k) { return *::new (static_cast<void*>(&room_[k * sizeof(T)])) T; }
-  template <class... Given>
-    requires(sizeof...(Given) > 0)
-  T& make(std::size_t k, const Given&... given) {
-    return *::new (static_cast<void*>(&room_[k * sizeof(T)])) T(given...);
-  }
   T& operator[](std::size_t k) { return *std::launder(reinterpret_cast<T*>(&room_[k * sizeof(T)])); }
   const T& operator[](std::size_t k) const {
     return *std::launder(reinterpret_cast<const T*>(&room_[k * sizeof(T)]));
