@@ -18,7 +18,7 @@
 #include <cca/base/compiler.hpp>
 #include <cca/base/math/angles.hpp>
 #include <cca/sim/compiled/compiled_tree.hpp>
-#include <cca/sim/compiled/contacts/slots.hpp>
+#include <cca/sim/compiled/slots.hpp>
 #include <cca/sim/compiled/limbs/limb_code.hpp>
 #include <cca/sim/compiled/tree_motion.hpp>
 

@@ -184,7 +184,8 @@ private:
       if (tree::ranges[c].exists()) j.way_beyond = beyond(tree::ranges[c], m.q[c]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i)
-      lines[i] = {tree::lines[i], now.places(), m.dq, [&](std::size_t c) { return joints[c].now.inertia; }, h};
+      lines[i] = {tree::lines[i], now.places(), m.dq, [&](std::size_t c) { return joints[c].now.inertia; },
+                  h};
   }
 
   constexpr void rub(std::size_t c, const Real& guess, const Real& last) {
