@@ -1,5 +1,7 @@
 // The limbs of a compiled world: which share their code, and that the results do not depend on how many are
 // computed at once.
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "../body/bodies.hpp"
@@ -27,9 +29,37 @@ auto thrown() {
   return w.save().motion;
 }
 
+// A spring couples two legs, so their rows meet in M, where the legs have no mass in common.
+struct sprung_legs : flying_oncilla {
+  static constexpr std::array line_springs{
+      robots::line_spring{.from = robots::oncilla::detail::diagonal_spring("left_front_leg").from,
+                          .to = robots::oncilla::detail::diagonal_spring("right_front_leg").to,
+                          .stiffness = 100,
+                          .rest = 0.1}};
+};
+
+// Of the entries of M, in a posture, those that are 0; what was there before does not count.
+template <class R>
+int zeros_of_mass() {
+  std::array<double, 16> q{};
+  for (std::size_t c = 0; c < q.size(); ++c) q[c] = 0.3 * std::sin(7.0 * static_cast<double>(c) + 1);
+  sim::detail::tree_equations<R, double> now;
+  now.mass.entry.fill(1);
+  now.look(q);
+  now.weigh({}, {}, {});
+  return static_cast<int>(std::count(now.mass.entry.begin(), now.mass.entry.end(), 0.0));
+}
+
 }  // namespace
 
 TEST_SUITE("compiled world: limbs") {
+  TEST_CASE("legs that a spring couples have no mass in common") {
+    constexpr int more = sim::detail::compiled_tree<sprung_legs>::branches.entries -
+                         sim::detail::compiled_tree<flying_oncilla>::branches.entries;
+    static_assert(more > 0);
+    CHECK(zeros_of_mass<sprung_legs>() == zeros_of_mass<flying_oncilla>() + more);
+  }
+
   TEST_CASE("legs of one shape share their code; a limb of many links is computed in loops") {
     using oncilla = sim::detail::shared_limbs<flying_oncilla>;
     static_assert(oncilla::leader == std::array<std::size_t, 4>{0, 0, 0, 0});

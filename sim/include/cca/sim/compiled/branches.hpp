@@ -81,8 +81,9 @@ struct branch_matrix {
   static constexpr auto size = static_cast<std::size_t>(Of.size);
   using vector = std::array<Real, size>;
 
-  std::array<Real, static_cast<std::size_t>(Of.entries)> entry{};
-  vector inverse{};  // of D, once it is factored
+  // As they are left: `branch_matrix<...> m{}` is zero.
+  std::array<Real, static_cast<std::size_t>(Of.entries)> entry;
+  vector inverse;  // of D, once it is factored
 
   // The entries of a row; the last one is on the diagonal.
   constexpr Real* row(std::size_t k) { return entry.data() + Of.first[k]; }

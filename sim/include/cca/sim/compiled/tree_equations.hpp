@@ -3,7 +3,7 @@
 //   tree_equations<R, double> now;
 //   now.look(q);                                    the joints at these angles
 //   now.weigh(speeds, turning, up);                 M, the forces that motion and gravity leave, and where
-//                                                   the links are (`places`)
+//                                                   the links are (`places()`)
 //   limb_solution<R, double>::factor_and_solve(now.mass, now.forces);   accelerations
 //
 // The algorithms are those of cca/robot/recorded, limb by limb (limbs/limb_code.hpp): recursive Newton-Euler
@@ -13,10 +13,12 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include <cca/base/compiler.hpp>
 #include <cca/base/math/angles.hpp>
 #include <cca/sim/compiled/compiled_tree.hpp>
+#include <cca/sim/compiled/slots.hpp>
 #include <cca/sim/compiled/limbs/limb_code.hpp>
 #include <cca/sim/compiled/tree_motion.hpp>
 
@@ -30,9 +32,11 @@ struct tree_equations {
   using frames = std::array<placed_frame<Real>, tree::links>;
 
   motion_of_limbs<R, Real> motion{};
-  branch_matrix<rows, Real> mass{};
+  branch_matrix<rows, Real> mass;  // `weigh` writes all of it
   typename branch_matrix<rows, Real>::vector forces{};
-  frames places{};  // of the reduced links, in the base
+
+  // Of the reduced links, in the base, once they are weighed.
+  const frames& places() const { return places_[0]; }
 
   constexpr void look(const coordinates& q) {
     constexpr std::size_t values = motion_of_limbs<R, Real>::values;
@@ -77,12 +81,27 @@ struct tree_equations {
           Real(limbs_of<R>::sign[c]) * speeds[c];
     motion.turning = turning, motion.up = up;
     std::array<load_of_limb<Real>, limbs_of<R>::count> at_base;
-    posture_of_limbs<R, Real> to{places, mass, forces, at_base};
+    if constexpr (!limbs_write_all) mass.entry = {};
+    posture_of_limbs<R, Real> to{places_[0], mass, forces, at_base};
     compute_limbs(motion, to);
     if constexpr (tree::floats) weigh_base(at_base);
   }
 
 private:
+  // Whether each entry of M is the base's or a limb's; else some are zero.
+  static constexpr bool limbs_write_all = []<std::size_t... L>(std::index_sequence<L...>) {
+    std::array<bool, static_cast<std::size_t>(rows.entries)> written{};
+    for (int k = 0; k < tree::base * (tree::base + 1) / 2; ++k) written[static_cast<std::size_t>(k)] = true;
+    const auto write = [&](const auto& of_limb) {
+      for (const auto& p : of_limb)
+        if (p.entry >= 0) written[static_cast<std::size_t>(p.entry)] = true;
+    };
+    (write(limb<R, L>::places), ...);
+    for (const bool is : written)
+      if (!is) return false;
+    return true;
+  }(std::make_index_sequence<limbs_of<R>::count>());
+
   // What an angle is of its coordinate, with the sign of the limb's model.
   static constexpr auto factor = [] {
     std::array<double, motion_of_limbs<R, Real>::values> of{};
@@ -122,6 +141,8 @@ private:
                          whole, f[1], -f[0], zero,  zero,  zero, whole};
     for (std::size_t k = 0; k < 15; ++k) mass.entry[6 + k] = below[k];
   }
+
+  slots<frames, 1> places_;  // 2 kB that are not cleared first
 };
 
 }  // namespace cca::sim::detail

@@ -59,7 +59,7 @@ public:
 
   static constexpr int most_rounds = 12;
 
-  equations now{};            // with the places of the links
+  equations now;              // with the places of the links; `{}` would clear all of it
   placed_frame<Real> base{};  // in the world
   vector change{};            // of the velocities, along the axes of the base
   int rounds = 0;
@@ -184,7 +184,8 @@ private:
       if (tree::ranges[c].exists()) j.way_beyond = beyond(tree::ranges[c], m.q[c]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i)
-      lines[i] = {tree::lines[i], now.places, m.dq, [&](std::size_t c) { return joints[c].now.inertia; }, h};
+      lines[i] = {tree::lines[i], now.places(), m.dq, [&](std::size_t c) { return joints[c].now.inertia; },
+                  h};
   }
 
   constexpr void rub(std::size_t c, const Real& guess, const Real& last) {

@@ -106,10 +106,10 @@ public:
     const motion root{turning, {}, up};
     for (std::size_t i = 0; i < tree::links; ++i) {
       const auto& l = tree::reduced.links[i];
-      const auto& f = now.places[i];
+      const auto& f = now.places()[i];
       const auto parent = static_cast<std::size_t>(l.parent);
       const motion& p = l.parent < 0 ? root : moves[parent];
-      const triple<Real> arm = l.parent < 0 ? f.at : f.at - now.places[parent].at;
+      const triple<Real> arm = l.parent < 0 ? f.at : f.at - now.places()[parent].at;
       const triple<Real> own =
           (Real(l.ratio) * speeds[static_cast<std::size_t>(l.coordinate)]) * f.axes[l.axis];
       motion& m = moves[i];
@@ -127,9 +127,9 @@ public:
       const auto& l = tree::reduced.links[i];
       if (l.parent >= 0) all[static_cast<std::size_t>(l.parent)] += all[i];
       else whole += all[i];
-      const triple<Real> axis = Real(l.ratio) * now.places[i].axes[l.axis];
+      const triple<Real> axis = Real(l.ratio) * now.places()[i].axes[l.axis];
       const auto load =
-          l.revolute ? all[i].of_motion(axis, cross(now.places[i].at, axis)) : all[i].of_motion({}, axis);
+          l.revolute ? all[i].of_motion(axis, cross(now.places()[i].at, axis)) : all[i].of_motion({}, axis);
       const std::size_t own = on::row(l.coordinate);
       if constexpr (tree::floats)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -137,7 +137,7 @@ public:
           entry(now, own, 3 + k) = entry(now, own, 3 + k) + load.force[k];
         }
       bool is_own = true;
-      on::each_joint(now.places, static_cast<int>(i),
+      on::each_joint(now.places(), static_cast<int>(i),
                      [&](std::size_t r, const triple<Real>& u, const triple<Real>& at, bool turns) {
                        const Real x =
                            turns ? dot(u, load.moment - cross(at, load.force)) : dot(u, load.force);
@@ -177,7 +177,7 @@ private:
                      const triple<Real>& a) {
     const auto load = of.of_motion(turned, a);
     const Real less(-1.0);
-    On::add_wrench(now.places, link, {}, less * (load.force + cross(w, cross(w, of.first))),
+    On::add_wrench(now.places(), link, {}, less * (load.force + cross(w, cross(w, of.first))),
                    less * (load.moment + cross(w, of.spin(w))), now.forces);
   }
   // Of two rows that meet.

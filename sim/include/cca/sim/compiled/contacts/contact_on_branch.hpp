@@ -85,7 +85,7 @@ struct contact_on_branch {
       }
     }
     on_links<R, Real>::each_joint(
-        step.now.places, p.link,
+        step.now.places(), p.link,
         [&](std::size_t row, const triple<Real>& axis, const triple<Real>& from, bool turns) {
           const triple<Real> moves = turns ? cross(axis, at - from) : axis;
           const auto k = static_cast<std::size_t>(of.depth[row]);

@@ -15,7 +15,7 @@
 #include <array>
 #include <cstddef>
 
-#include <cca/sim/compiled/contacts/slots.hpp>
+#include <cca/sim/compiled/slots.hpp>
 #include <cca/sim/compiled/scalar.hpp>
 
 namespace cca::sim::detail {

@@ -16,7 +16,7 @@
 #include <cca/sim/compiled/contacts/contact_solver.hpp>
 #include <cca/sim/compiled/contacts/kept_impulses.hpp>
 #include <cca/sim/compiled/probes.hpp>
-#include <cca/sim/compiled/contacts/slots.hpp>
+#include <cca/sim/compiled/slots.hpp>
 #include <cca/sim/compiled/contacts/touches.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 

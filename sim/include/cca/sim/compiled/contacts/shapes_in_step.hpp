@@ -18,10 +18,10 @@ struct shapes_in_step {
 
   static triple<Real> middle(const step_type& step, const placed_shape& shape) {
     return step.base.at + step.base.direction(on_links<R, Real>::point(
-                              step.now.places, shape.link, tree::point({shape.link, shape.where})));
+                              step.now.places(), shape.link, tree::point({shape.link, shape.where})));
   }
   static std::array<triple<Real>, 3> axes(const step_type& step, const placed_shape& shape) {
-    const auto in_base = on_links<R, Real>::end_frame(step.now.places, {shape.link, shape.where});
+    const auto in_base = on_links<R, Real>::end_frame(step.now.places(), {shape.link, shape.where});
     std::array<triple<Real>, 3> all;
     for (std::size_t k = 0; k < 3; ++k) all[k] = step.base.direction(in_base.axes[k]);
     return all;

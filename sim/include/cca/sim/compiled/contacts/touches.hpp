@@ -16,7 +16,7 @@
 #include <cca/sim/compiled/contacts/contact_solver.hpp>
 #include <cca/sim/compiled/contacts/own_touches.hpp>
 #include <cca/sim/compiled/contacts/shapes_in_step.hpp>
-#include <cca/sim/compiled/contacts/slots.hpp>
+#include <cca/sim/compiled/slots.hpp>
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/compiled/probes.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
@@ -147,7 +147,7 @@ private:
           link = p.link;
           height = step.base.at[2] - Real(under.floor), rise = up;
           if (link >= 0) {
-            const auto& f = step.now.places[static_cast<std::size_t>(link)];
+            const auto& f = step.now.places()[static_cast<std::size_t>(link)];
             height = height + dot(up, f.at), rise = along(f, up);
           }
         }
@@ -155,7 +155,7 @@ private:
             height + Real(p.at[0]) * rise[0] + Real(p.at[1]) * rise[1] + Real(p.at[2]) * rise[2];
         if (everywhere(above > Real(p.radius + 1e-9))) continue;
       }
-      const triple<Real> at = on_links<R, Real>::point(step.now.places, p.link, p.at),
+      const triple<Real> at = on_links<R, Real>::point(step.now.places(), p.link, p.at),
                          world = step.base.at + step.base.direction(at);
       const ground_touch<Real> t = touch_of(under, world, p.radius);
       if (everywhere(!(t.depth > Real(0.0)))) continue;
@@ -175,7 +175,7 @@ private:
     for (std::size_t i = 0; i < probes::count; ++i) {
       const probe& p = probes::all[i];
       const triple<Real> world =
-          step.base.at + step.base.direction(on_links<R, Real>::point(step.now.places, p.link, p.at));
+          step.base.at + step.base.direction(on_links<R, Real>::point(step.now.places(), p.link, p.at));
       const ground_touch<Real> on = touch_of_wall(under, world, p.radius);
       if (everywhere(!(on.depth > Real(0.0)))) continue;
       t.of = &p, t.key = -1 - static_cast<int>(edge_touch<Real>::most * probes::shape_count + i);

@@ -32,7 +32,7 @@ void feel(const tree_step<R, Real>& now,
   for (std::size_t i = 0; i < state.loads.size(); ++i) {
     if (load_parts<R>[i] != s.end) continue;
     const auto& e = tree::described.ends[static_cast<std::size_t>(s.end)];
-    const auto f = on_links<R, Real>::end_frame(now.now.places, {e.link, e.where});
+    const auto f = on_links<R, Real>::end_frame(now.now.places(), {e.link, e.where});
     const triple<Real> given = along(now.base, c.force), arm = along(now.base, c.at - now.base.at) - f.at;
     const triple<Real> torque = along(f, cross(arm, given)), own = along(f, given);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -21,12 +21,12 @@ constexpr void pull_and_push(const compiled_state<R, Real>& state, tree_step<R, 
     const auto& e = tree::described.ends[part];
     const auto& [force, torque] = state.pulls[part];
     if (is_none(force) && is_none(torque)) continue;
-    const triple<Real> at = links::point(now.now.places, e.link, tree::point({e.link, e.where}));
-    links::add_wrench(now.now.places, e.link, at, given(force), given(torque), now.now.forces);
+    const triple<Real> at = links::point(now.now.places(), e.link, tree::point({e.link, e.where}));
+    links::add_wrench(now.now.places(), e.link, at, given(force), given(torque), now.now.forces);
   }
   constexpr auto c = cca::detail::base_inertia_of<typename R::body>().centre;
   if (tree::floats && !is_none(state.push))
-    links::add_wrench(now.now.places, -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state.push), {},
+    links::add_wrench(now.now.places(), -1, {Real(c[0]), Real(c[1]), Real(c[2])}, given(state.push), {},
                       now.now.forces);
 }
 
