@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 def judged(printed):
     """What is wrong with {how it was compiled: its lines}, the first one being without packets."""
     (first, wanted), *others = printed.items()
-    if len(wanted) < 9 or not wanted[-1].startswith("Eigen "):
+    if len(wanted) < 10 or not wanted[-1].startswith("Eigen "):
         yield f"{first}: printed {len(wanted)} lines"
     for how, got in others:
         if len(got) != len(wanted):

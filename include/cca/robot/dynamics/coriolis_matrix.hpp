@@ -43,7 +43,7 @@ struct coriolis_factor {
   }
   vector6 times(const vector6& m) const {
     const vector3 w = angular(m);
-    return spatial(turning * w, cross(w, momentum));
+    return spatial(math::product(turning, w), cross(w, momentum));
   }
   vector6 transposed_times(const vector6& m) const {
     return spatial(math::product(turning.transpose(), angular(m)) + cross(momentum, linear(m)),
