@@ -72,9 +72,10 @@ private:
       now.load << Vector3d(0, 0, 2 * arm::description::tool_radius).cross(force), force;
     }
     vector6 in_base;
-    in_base << end.turn * now.load.head<3>(), end.turn * now.load.tail<3>();
+    in_base << cca::math::product(end.turn, now.load.head<3>()),
+        cca::math::product(end.turn, now.load.tail<3>());
     now.torques = cca::inverse_dynamics(at, now.velocities, accelerations).torques -
-                  at.jacobian<"arm">().transpose() * in_base;
+                  cca::math::product(at.jacobian<"arm">().transpose(), in_base);
     if (now.step == touch::plan::at<"yield">) now.torques[1] += 8;  // somebody pushes
 
     const auto aside = [&](double far, double phase) {
@@ -387,7 +388,7 @@ struct loop {
   }
 
   using matrix6 = Eigen::Matrix<double, 6, 6>;
-  static matrix6 square_of(const matrix6& root) { return root * root.transpose(); }
+  static matrix6 square_of(const matrix6& root) { return cca::math::product(root, root.transpose()); }
 
   // The hand as a spring, the elbow in its posture.
   vector7 impedance(const known& all, const moment& m, const order& o) {
@@ -410,13 +411,15 @@ struct loop {
       }
       const auto& at = dynamics(all, q);
       const Eigen::Matrix3d frame = cca::rotation::matrix(Vector4d(goal.tail<4>()));
-      const vector6 away = twist - at.jacobian * dq;
+      const vector6 away = twist - cca::math::product(at.jacobian, dq);
       matrix6 resists =
           square_of(detail::root_along(frame, d6)) +
           detail::damping_for<6>(at.mobility, detail::root_along(frame, k6), soft.damping_ratio);
       // What acts once a beat must be slow enough for the inertia that it moves.
-      const matrix7 damping = at.jacobian.transpose() * resists * at.jacobian;
-      matrix7 stiffness = at.jacobian.transpose() * square_of(detail::root_along(frame, k6)) * at.jacobian;
+      const matrix7 damping =
+          cca::math::product(cca::math::product(at.jacobian.transpose(), resists), at.jacobian);
+      matrix7 stiffness = cca::math::product(
+          cca::math::product(at.jacobian.transpose(), square_of(detail::root_along(frame, k6))), at.jacobian);
       vector7 posture_k = soft.posture_stiffness;
       stiffness += posture_k.asDiagonal();
       const double share = detail::stable_share<7, false>(at.mass, damping, stiffness, dt);
@@ -424,7 +427,7 @@ struct loop {
         resists *= share;
         k6 *= share * share, posture_k *= share * share;
       }
-      vector6 wrench = added + resists * away;
+      vector6 wrench = added + cca::math::product(resists, away);
       if (pulls) wrench += detail::cartesian_spring(at.end, goal, frame, k6, soft.largest).wrench;
       vector7 spring = vector7::Zero();
       if (pulls) spring = at.free_torques(vector7(posture_k.cwiseProduct(rest - q)));
@@ -435,7 +438,7 @@ struct loop {
       impedance_gap = false;
       const vector7 free = damper + posture_tank.share(spring, damper, dq, at.solver, dt) * spring;
       posture_tank.hold(free, q);
-      torques = at.jacobian.transpose() * wrench + free;
+      torques = cca::math::product(at.jacobian.transpose(), wrench) + free;
     }
     return in_limits(torques);
   }
@@ -464,7 +467,7 @@ struct loop {
       guard_gap = false;
       const auto& mass = mass_of(all, q);
       const auto& solver = solver_of(all, mass);
-      const vector7 brake = -guard.braking * (mass * dq);
+      const vector7 brake = -guard.braking * cca::math::product(mass, dq);
       if (!command.unreadable()) share = tank.share(wanted, vector7(vector7::Zero()), dq, solver, dt);
       if (share < 1 && !command.unreadable())
         share = tank.share(vector7(wanted - brake), brake, dq, solver, dt);

@@ -250,7 +250,7 @@ struct by_hand {
   static double rate_of(const typename Ode::state& x,
                         const typename Ode::input& u,
                         const typename Ode::parameters& p) {
-    return Ode::derivative(x, u, p).template head<Ode::state::RowsAtCompileTime - 1>().norm();
+    return cca::math::norm(Ode::derivative(x, u, p).template head<Ode::state::RowsAtCompileTime - 1>());
   }
   template <class Ode, class Goal>
   void reach(cca::ode_solver<Ode>& joints,
@@ -368,17 +368,17 @@ struct by_hand {
       cca::detail::input_check drives;
       const cca::hopf_ode::input drive = drives(cca::hopf_ode::input(wanted, frequency));
       if (drives.unreadable()) {
-        radius = std::max(ember, cpg.get().norm());
+        radius = std::max(ember, cca::math::norm(cpg.get()));
       } else {
         cpg.advance(drive, {convergence}, dt);
         cca::hopf_ode::state x = cpg.get();
-        radius = std::sqrt(x.dot(x));
+        radius = std::sqrt(cca::math::dot(x, x));
         if (radius < ember) {
           x = radius > 0 ? cca::hopf_ode::state(ember / radius * x) : cca::hopf_ode::state(ember, 0);
           radius = ember;
           cpg.set(x);
         }
-        cpg_rests.update(radius > ember ? cpg.rate(drive, {convergence}).norm() : 0.0, cpg_settles);
+        cpg_rests.update(radius > ember ? cca::math::norm(cpg.rate(drive, {convergence})) : 0.0, cpg_settles);
       }
       phase = cca::math::atan2(cpg.get()[1], cpg.get()[0]);
 
@@ -402,7 +402,7 @@ struct by_hand {
         x[16] = at_phase - dt / tau;
         dmp.set(x);
         dmp.advance(u, at, dt);
-        dmp_rests.update(dmp.rate(u, at).head<16>().norm(), dmp_settles);
+        dmp_rests.update(cca::math::norm(dmp.rate(u, at).head<16>()), dmp_settles);
         command = dmp.get().head<8>();
       }
       region_told = module::learner::inside(known, {at_phase, swing}, settings);
@@ -439,7 +439,7 @@ struct by_hand {
     }
 
     // Status.
-    if (touches && seen) at_ball.update(std::sqrt(missing.dot(missing)), reaching, dt);
+    if (touches && seen) at_ball.update(std::sqrt(cca::math::dot(missing, missing)), reaching, dt);
     ball_told = !seen     ? skills::ball_state::unseen
                 : way < 0 ? skills::ball_state::near
                           : skills::ball_state::ahead;

@@ -16,6 +16,7 @@ import finite
 import headers_alone
 import includes
 import make_troubleshooting
+import reductions
 import refusals
 import reject
 import rules
@@ -306,6 +307,34 @@ class Elementary(Tree):
         found = list(elementary.problems(self.root))
         self.assertEqual(len(found), 2, found)
         self.assertTrue(found[0].startswith("include/cca/a.hpp:2: std::sin "))
+
+
+class Reductions(Tree):
+    def lines(self, code):
+        return [line for line, _ in reductions.calls(code)]
+
+    def test_calls(self):
+        for wrong in ("x = a.dot(b);", "x = (a - b).norm();", "x = a.template head<3>().squaredNorm();", "x = p->sum();", "x = a.lpNorm<1>();", "x = m.trace() + 1;",
+                      "x = (a\n  - b).mean();", "x = m.rowwise().sum();", "n = v.normalized();", "x = m.determinant();", "x = m.transpose() * v;", "x = m.transpose()\n* v;",
+                      "const Eigen::LLT<matrix> f(m);", "x = m.llt().solve(b);", "w = slope.inverse() * b;", "Eigen::SelfAdjointEigenSolver<matrix> s(m);"):
+            self.assertEqual(len(self.lines(wrong)), 1, wrong)
+        self.assertEqual(self.lines("\nx = a\n  .norm();"), [3])
+        for right in ("x = math::dot(a, b);", "x = math::norm(a - b);", "x = math::sum(v);", "m = a * b.transpose();", "// x = a.dot(b)", "/* a.norm()\n*/", '"a.sum()"',
+                      "writer.dot()", "x = v.maxCoeff();", "sum = 1;", "a.normal(b)", "rotation::inverse(q)", "x = t.dot_product(b);", "j.inverse * t"):
+            self.assertEqual(self.lines(right), [], right)
+
+    def test_files(self):
+        for name in [*reductions.OUTSIDE, *(f"{folder}/a.hpp" for folder in reductions.OUTSIDE_FOLDERS)]:
+            self.write(name, "x = v.norm();")
+        self.write(reductions.OWN, "x = v.norm();")
+        self.write("include/cca/a.hpp", "x = math::norm(v);")
+        self.assertEqual(list(reductions.problems(self.root)), [])
+        self.write("include/cca/a.hpp", "\nx = v.norm();")
+        for name in (next(iter(reductions.OUTSIDE)), next(iter(reductions.OUTSIDE_FOLDERS)) + "/a.hpp"):
+            self.write(name, "x = 1;")
+        found = list(reductions.problems(self.root))
+        self.assertEqual(len(found), 3, found)
+        self.assertTrue(found[0].startswith("include/cca/a.hpp:2: norm() "))
 
 
 class Version(Tree):

@@ -27,6 +27,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/base/math/random_numbers.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
@@ -68,12 +69,12 @@ struct elm_function {
     const Eigen::Map<const Eigen::Matrix<double, Hidden, I>> A(random.data());
     const Eigen::Map<const Eigen::Matrix<double, Hidden, 1>> b(random.data() + Hidden * I);
     activity h;
-    h.template head<Hidden>() = p.spread * (A * (x - p.centre).cwiseQuotient(p.width) + b);
+    h.template head<Hidden>() = p.spread * (math::product(A, (x - p.centre).cwiseQuotient(p.width)) + b);
     for (int i = 0; i < Hidden; ++i) h[i] = math::tanh(h[i]);
     h[Hidden] = 1;
     return h;
   }
-  static output answer(const parameters& p, const input& x) { return p.weights * hidden(p, x); }
+  static output answer(const parameters& p, const input& x) { return math::product(p.weights, hidden(p, x)); }
   static std::string title() {
     return "elm_function from " + std::string(detail::space_of<From>.name) + " to " +
            std::string(detail::space_of<To>.name) + " with " + std::to_string(Hidden) + " units, seed " +

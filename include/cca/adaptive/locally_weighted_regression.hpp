@@ -18,6 +18,7 @@
 // 1998 (online). Checked against the first formula written out. Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
 
@@ -46,7 +47,7 @@ struct locally_weighted_regression {
 
   // always_inline: a call in the beat otherwise (docs/compilers.md).
   [[gnu::always_inline]] static bool inside(const learned& known, const input& x, const settings& s) {
-    return model::activations(x).dot(known.seen) >= s.least_seen;
+    return math::dot(model::activations(x), known.seen) >= s.least_seen;
   }
 
   static void step(learned& known, const input& x, const output& y, const settings& s) {

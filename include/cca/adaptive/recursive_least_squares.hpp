@@ -19,6 +19,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
 
@@ -52,17 +53,17 @@ struct recursive_least_squares {
 
   static bool inside(const learned& known, const input& x, const settings& s) {
     const regressor f = model::regressors(x);
-    const double leverage = f.dot(known.uncertainty * f);
+    const double leverage = math::dot(f, math::product(known.uncertainty, f));
     return known.uncertainty(0, 0) > 0 && leverage <= s.leverage;
   }
 
   static void step(learned& known, const input& x, const output& y, const settings& s) {
     covariance& P = known.uncertainty;
     if (!(P(0, 0) > 0)) P = covariance::Identity() / s.ridge;
-    const regressor f = model::regressors(x), Pf = P * f;
-    const double memory = P.trace() < size / s.ridge ? s.memory.value() : 1.0;
-    const double scale = 1 / (memory + f.dot(Pf));
-    const output off = y - known.function.weights * f;
+    const regressor f = model::regressors(x), Pf = math::product(P, f);
+    const double memory = math::trace(P) < size / s.ridge ? s.memory.value() : 1.0;
+    const double scale = 1 / (memory + math::dot(f, Pf));
+    const output off = y - math::product(known.function.weights, f);
     known.function.weights += off * (scale * Pf).transpose();
     // Writes both halves with the same value: P stays symmetric bit for bit.
     for (int j = 0; j < size; ++j)

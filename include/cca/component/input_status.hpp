@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/space/methods/scalar.hpp>
 #include <cca/space/sample.hpp>
@@ -38,7 +39,7 @@ namespace detail {
 // No coordinate is NaN or infinite. Costs a sum and a comparison.
 template <class Vector>
 inline bool all_finite(const Eigen::MatrixBase<Vector>& v) {
-  return (v - v).sum() == 0;
+  return math::sum(v - v) == 0;
 }
 
 // A sample has arrived (no initial value) and it is finite.

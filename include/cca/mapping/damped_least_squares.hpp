@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/mapping/tip_task.hpp>
 
@@ -96,31 +97,32 @@ public:
     const bool alone = best == std::numeric_limits<double>::infinity();
     chain_pose<Chain> now(q);
     auto e = task::error(wanted, now.tip());
-    square = e.dot(e);
+    square = math::dot(e, e);
     int evaluations = 1;
     for (;; ++evaluations) {
       if (square <= Settings::tolerance * Settings::tolerance) return ends(phase::reached, evaluations);
       if (evaluations >= steps) return evaluations;
       auto j = task::rows_of(now.jacobian());
-      vector gradient = j.transpose() * e;
+      vector gradient = math::product(j.transpose(), e);
       for (int k = 0; k < limits::size; ++k)
         if ((q[k] <= limits::lower(k) && gradient[k] < 0) || (q[k] >= limits::upper(k) && gradient[k] > 0)) {
           j.col(k).setZero();
           gradient[k] = 0;
         }
       // Within 1e-7 of the span of the nearest point the distance is exact to rounding.
-      if (gradient.dot(gradient) <= 1e-12 * span * span * square) return ends(phase::minimum, evaluations);
+      if (math::dot(gradient, gradient) <= 1e-12 * span * span * square)
+        return ends(phase::minimum, evaluations);
 
-      Eigen::Matrix<double, task::rows, task::rows> a = j * j.transpose();
+      Eigen::Matrix<double, task::rows, task::rows> a = math::product(j, j.transpose());
       a.diagonal().array() += damping;
-      vector step = j.transpose() * solve_positive<task::rows>(a, e);
+      vector step = math::product(j.transpose(), solve_positive<task::rows>(a, e));
       const double part = std::min(1.0, longest_step / step.cwiseAbs().maxCoeff());
       step *= part;
       const vector next = limits::clamped(q + step);
       const chain_pose<Chain> there(next);
       const auto error = task::error(wanted, there.tip());
-      const double predicted = step.dot(damping * step + (2 - part) * gradient),
-                   square_there = error.dot(error);
+      const double predicted = math::dot(step, damping * step + (2 - part) * gradient),
+                   square_there = math::dot(error, error);
       if (square_there < square) {
         const double gain =
             2 * (square - square_there) / std::max(predicted, std::numeric_limits<double>::min()) - 1;
@@ -129,7 +131,7 @@ public:
         q = next, now = there, e = error, square = square_there;
       } else {
         // The step is below rounding: this is the nearest point.
-        if (step.dot(step) < 1e-20) return ends(phase::minimum, evaluations + 1);
+        if (math::dot(step, step) < 1e-20) return ends(phase::minimum, evaluations + 1);
         damping *= growth;
         growth *= 2;
       }

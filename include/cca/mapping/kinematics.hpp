@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/mapping/serial_chain.hpp>
 
@@ -31,8 +32,8 @@ struct rigid {
   // always_inline, here and below: a chain is constant, which is seen only where it is inlined
   // (docs/compilers.md).
   [[gnu::always_inline]] rigid operator*(const placement& p) const {
-    return {turn * rotation::matrix(detail::as_vector(p.rotation)),
-            turn * detail::as_vector(p.translation) + at};
+    return {math::product(turn, rotation::matrix(detail::as_vector(p.rotation))),
+            math::product(turn, detail::as_vector(p.translation)) + at};
   }
 };
 
@@ -53,7 +54,7 @@ inline void turn_about(matrix3& m, const body_link& l, double c, double s) {
   r << c + v * x * x, v * x * y - s * z, v * x * z + s * y,  //
       v * x * y + s * z, c + v * y * y, v * y * z - s * x,   //
       v * x * z - s * y, v * y * z + s * x, c + v * z * z;
-  m = (m * r).eval();
+  m = math::product(m, r);
 }
 
 inline void turn_about(matrix3& m, const body_link& l, double angle) {
@@ -83,10 +84,10 @@ template <std::size_t Count, class TurnOf>
     const rigid& parent = l.parent < 0 ? base : placed[static_cast<std::size_t>(l.parent)].frame;
     rigid& frame = placed[i].frame;
     const joint_turn by = turn_of(i);
-    frame.at = parent.at + parent.turn * as_vector(l.at);
+    frame.at = parent.at + math::product(parent.turn, as_vector(l.at));
     if (l.straight) frame.turn = parent.turn;
-    else frame.turn = parent.turn * Eigen::Map<const matrix3>(l.turn.data());
-    placed[i].axis = frame.turn * as_vector(l.axis);
+    else frame.turn = math::product(parent.turn, Eigen::Map<const matrix3>(l.turn.data()));
+    placed[i].axis = math::product(frame.turn, as_vector(l.axis));
     if (l.kind == joint_kind::revolute) turn_about(frame.turn, l, by.cosine, by.sine);
     else frame.at += by.cosine * placed[i].axis;
   }

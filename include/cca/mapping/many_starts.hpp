@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
@@ -132,11 +133,11 @@ private:
     double moved = 0;
     if constexpr (!same_kind<typename Tip::domain, orientation<void>>) {
       constexpr int size = same_kind<typename Tip::domain, pose<void>> ? 3 : Tip::size;
-      moved += (wanted.template head<size>() - first_wanted.template head<size>()).norm();
+      moved += math::norm(wanted.template head<size>() - first_wanted.template head<size>());
     }
     if constexpr (!same_kind<typename Tip::domain, cartesian_position<void>>) {
       const vector4 a = wanted.template tail<4>(), b = first_wanted.template tail<4>();
-      moved += 2 * Settings::lever * std::min((a - b).norm(), (a + b).norm());
+      moved += 2 * Settings::lever * std::min(math::norm(a - b), math::norm(a + b));
     }
     return moved <= same_target;
   }

@@ -30,6 +30,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
@@ -114,7 +115,7 @@ struct dmp_discrete {
     if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     const typename ode::state rate = solver.rate(u, at);
     return {vector(solver.get().template head<D>()), vector(rate.template head<D>()), solver.get()[3 * D],
-            status_of(inputs.get(), status.update(rate.norm(), p.settling))};
+            status_of(inputs.get(), status.update(math::norm(rate), p.settling))};
   }
 
   // The next movement begins at "start".

@@ -30,6 +30,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
@@ -118,7 +119,7 @@ struct dmp_pose {
     solver.set(x);
     if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     x = solver.get();
-    const double rate = solver.rate(u, at).norm();
+    const double rate = math::norm(solver.rate(u, at));
     typename ode::pose pose;
     pose << x.template head<3>(), x.template segment<4>(6);
     velocity << x.template segment<3>(10), x.template segment<3>(3);

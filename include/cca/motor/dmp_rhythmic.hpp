@@ -33,6 +33,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
@@ -105,7 +106,7 @@ struct dmp_rhythmic {
     if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     const typename ode::state rate = solver.rate(u, at);
     return {vector(solver.get().template head<D>()), vector(rate.template head<D>()),
-            status_of(inputs.get(), status.update(rate.template head<2 * D>().norm(), p.settling))};
+            status_of(inputs.get(), status.update(math::norm(rate.template head<2 * D>()), p.settling))};
   }
 
   // The next movement begins at "start".

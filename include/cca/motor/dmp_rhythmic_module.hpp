@@ -45,6 +45,7 @@
 #include <string>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/locally_weighted_regression.hpp>
 #include <cca/adaptive/ode_solver.hpp>
@@ -142,7 +143,7 @@ public:
     solver.set(x);
     if (!solver.advance(u, at, now.dt())) read.note_clamped();
     const typename ode::state rate = solver.rate(u, at);
-    return give(status_of(read.get(), ode_state.update(rate.template head<2 * D>().norm(), p.settling)),
+    return give(status_of(read.get(), ode_state.update(math::norm(rate.template head<2 * D>()), p.settling)),
                 {at_phase, swing}, vector(solver.get().template head<D>()), vector(rate.template head<D>()));
   }
 

@@ -29,6 +29,7 @@
 #include <string>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
@@ -109,8 +110,8 @@ struct gait_network {
     for (int i = 0; i < 4; ++i) x[i] = wrap_turn(x[i]);
     solver.set(x);
     ode::state rate = solver.rate(u, at);
-    rate.template head<4>().array() -= rate.template head<4>().mean();
-    status.update(rate.norm(), p.settling);
+    rate.template head<4>().array() -= math::mean(rate.template head<4>());
+    status.update(math::norm(rate), p.settling);
     return published(x, inputs.get());
   }
 

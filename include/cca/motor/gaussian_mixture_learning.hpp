@@ -21,6 +21,7 @@
 #include <limits>
 #include <vector>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
@@ -107,13 +108,14 @@ private:
   // Assigns each example to the nearest of K examples that lie far apart.
   static Eigen::MatrixXd first_guess(const std::vector<point>& points) {
     const auto apart = covered_region<size, K>::over(points);
+    const point closeness = apart.width.cwiseInverse();
     Eigen::MatrixXd r = Eigen::MatrixXd::Zero(K, static_cast<Eigen::Index>(points.size()));
     for (std::size_t t = 0; t < points.size(); ++t) {
+      Eigen::Matrix<double, K, 1> distances;
+      for (int k = 0; k < K; ++k)
+        distances[k] = math::squared_norm(closeness.cwiseProduct(apart.centres.col(k) - points[t]));
       Eigen::Index nearest = 0;
-      (apart.width.cwiseInverse().asDiagonal() * (apart.centres.colwise() - points[t]))
-          .colwise()
-          .squaredNorm()
-          .minCoeff(&nearest);
+      distances.minCoeff(&nearest);
       r(nearest, static_cast<Eigen::Index>(t)) = 1;
     }
     return r;
@@ -123,7 +125,7 @@ private:
                        const Eigen::MatrixXd& r,
                        double floor) {
     for (int k = 0; k < K; ++k) {
-      const double n = std::max(r.row(k).sum(), 1e-12);
+      const double n = std::max(math::sum(r.row(k)), 1e-12);
       point mean = point::Zero();
       for (std::size_t t = 0; t < points.size(); ++t) mean += r(k, static_cast<Eigen::Index>(t)) * points[t];
       mean /= n;

@@ -34,6 +34,7 @@
 #include <limits>
 #include <vector>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
@@ -166,17 +167,18 @@ private:
     }
     e.beginnings.setConstant(unseen * static_cast<double>(ends.size()));
     e.beginnings[0] += static_cast<double>(ends.size());
-    for (int k = 0; k < K; ++k) e.passages.row(k).array() += unseen * std::max(1.0, e.passages.row(k).sum());
+    for (int k = 0; k < K; ++k)
+      e.passages.row(k).array() += unseen * std::max(1.0, math::sum(e.passages.row(k)));
     return e;
   }
 
   static void maximise(parameters& p, const std::vector<point>& points, const expectation& e, double floor) {
-    p.mixture.priors = e.beginnings / e.beginnings.sum();
+    p.mixture.priors = e.beginnings / math::sum(e.beginnings);
     for (int k = 0; k < K; ++k) {
-      if (const double left = e.passages.row(k).sum(); left > 0)
+      if (const double left = math::sum(e.passages.row(k)); left > 0)
         p.transitions.row(k) = e.passages.row(k) / left;
       else p.transitions.row(k) = transition_matrix::Identity().row(k);
-      const double n = std::max(e.state.row(k).sum(), 1e-12);
+      const double n = std::max(math::sum(e.state.row(k)), 1e-12);
       point mean = point::Zero();
       for (std::size_t t = 0; t < points.size(); ++t)
         mean += e.state(k, static_cast<Eigen::Index>(t)) * points[t];
@@ -216,11 +218,12 @@ private:
       const auto end = static_cast<Eigen::Index>(one);
       // Forward: each column of `state` becomes P(state at t | examples up to t).
       for (Eigen::Index t = begin; t < end; ++t) {
-        const weights predicted =
-            t == begin ? p.mixture.priors : weights(p.transitions.transpose() * e.state.col(t - 1));
+        const weights predicted = t == begin
+                                      ? p.mixture.priors
+                                      : weights(math::product(p.transitions.transpose(), e.state.col(t - 1)));
         const weights seen = predicted.cwiseProduct(density.col(t));
-        sum += math::log(seen.sum());
-        e.state.col(t) = seen / seen.sum();
+        sum += math::log(math::sum(seen));
+        e.state.col(t) = seen / math::sum(seen);
       }
       // Backward: `later` is proportional to P(examples after t | state at t).
       weights later = weights::Ones();
@@ -228,12 +231,12 @@ private:
         const weights from_here = density.col(t).cwiseProduct(later);
         const transition_matrix both =
             e.state.col(t - 1).asDiagonal() * p.transitions * from_here.asDiagonal();
-        if (const double all = both.sum(); all > 0) e.passages += both / all;
-        later = p.transitions * from_here;
+        if (const double all = math::sum(both); all > 0) e.passages += both / all;
+        later = math::product(p.transitions, from_here);
         if (const double most = later.maxCoeff(); most > 0) later /= most;
         else later.setOnes();  // no state leads to what came: then it tells nothing about this one
         const weights smoothed = e.state.col(t - 1).cwiseProduct(later);
-        if (const double all = smoothed.sum(); all > 0) e.state.col(t - 1) = smoothed / all;
+        if (const double all = math::sum(smoothed); all > 0) e.state.col(t - 1) = smoothed / all;
       }
       e.beginnings += e.state.col(begin);
       begin = end;

@@ -30,6 +30,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -54,8 +55,8 @@ struct hmm_motion {
         : mixture(states), transitions(chances) {}
     std::string_view check() const {
       for (int k = 0; k < K; ++k)
-        if (transitions.row(k).minCoeff() < 0 || transitions.row(k).sum() < 1 - 1e-6 ||
-            transitions.row(k).sum() > 1 + 1e-6)
+        if (transitions.row(k).minCoeff() < 0 || math::sum(transitions.row(k)) < 1 - 1e-6 ||
+            math::sum(transitions.row(k)) > 1 + 1e-6)
           return "a row of `transitions` is not a probability distribution: no entry may be negative, the "
                  "sum must be 1";
       return "";
@@ -69,7 +70,8 @@ struct hmm_motion {
     detail::input_check inputs;
     const vector at = inputs(position.vector());
     if (!inputs.unreadable()) {
-      const weights predicted = begun ? weights(p.transitions.transpose() * now) : p.mixture.priors;
+      const weights predicted =
+          begun ? weights(math::product(p.transitions.transpose(), now)) : p.mixture.priors;
       const auto answer = regress<S::size, S::size, K>(
           p.mixture, predicted, at, [](const vector& x, const vector& mean) { return vector(x - mean); });
       if (detail::all_finite(answer.responsibilities) && detail::all_finite(answer.mean)) {

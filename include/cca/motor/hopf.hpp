@@ -25,6 +25,7 @@
 #include <cmath>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
@@ -58,17 +59,18 @@ struct hopf {
     detail::input_check inputs;
     const hopf_ode::input u =
         inputs(hopf_ode::input(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value()));
-    if (inputs.unreadable()) return published(std::max<double>(p.ember, solver.get().norm()), inputs.get());
+    if (inputs.unreadable())
+      return published(std::max<double>(p.ember, math::norm(solver.get())), inputs.get());
     if (!solver.advance(u, {p.convergence}, now.dt())) inputs.note_clamped();
     hopf_ode::state x = solver.get();
-    double radius = math::sqrt(x.dot(x));
+    double radius = math::sqrt(math::dot(x, x));
     if (radius < p.ember) {
       x = radius > 0 ? hopf_ode::state(p.ember / radius * x) : hopf_ode::state(p.ember, 0);
       radius = p.ember;
       solver.set(x);
     }
     // At the radius `ember` it counts as resting, although the state still turns.
-    status.update(radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0, p.settling);
+    status.update(radius > p.ember ? math::norm(solver.rate(u, {p.convergence})) : 0.0, p.settling);
     return published(radius, inputs.get());
   }
 

@@ -24,6 +24,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -72,7 +73,7 @@ struct rcpg {
     const bool taught = teacher && teacher.fresh();
     output wanted = output::Zero();
     if (taught) wanted = inputs(teacher.vector());
-    y = taught && !inputs.unreadable() ? wanted : output(p.readout * activity());
+    y = taught && !inputs.unreadable() ? wanted : output(math::product(p.readout, activity()));
     return {y, status_of(inputs.get())};
   }
 

@@ -26,6 +26,7 @@
 #include <string>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
@@ -106,7 +107,7 @@ private:
   static double rate(const typename ode::state& x,
                      const typename ode::input& u,
                      const typename ode::parameters& at) {
-    return ode::derivative(x, u, at).template head<2 * S::size>().norm();
+    return math::norm(ode::derivative(x, u, at).template head<2 * S::size>());
   }
 
   ode_solver<ode, Integrator> solver;

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/body_pose.hpp>
 #include <cca/robot/recorded/quantities.hpp>
 
@@ -60,16 +61,16 @@ struct frame_motion {
 
 // The load that moves a body like this, about the origin of its frame (Newton and Euler).
 inline load load_for(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
-  const vector3 c = turn * as_vector(of.centre);
+  const vector3 c = math::product(turn, as_vector(of.centre));
   const vector3 acceleration =
       m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
   // In the axes of the body, where the inertia is constant.
   const matrix3 inertia = matrix_of(of.about_centre);
-  const vector3 dw = turn.transpose() * m.dw, w = turn.transpose() * m.w;
-  const vector3 own = inertia * dw + rotation::cross<double>(w, vector3(inertia * w));
+  const vector3 dw = math::product(turn.transpose(), m.dw), w = math::product(turn.transpose(), m.w);
+  const vector3 own = math::product(inertia, dw) + rotation::cross<double>(w, math::product(inertia, w));
   load l;
   l.force = of.mass * acceleration;
-  l.moment = turn * own + rotation::cross<double>(c, l.force);
+  l.moment = math::product(turn, own) + rotation::cross<double>(c, l.force);
   return l;
 }
 
@@ -112,7 +113,8 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
   for (std::size_t i = Count; i-- > 0;) {
     const body_link& l = links[i];
     result.torques[l.coordinate] +=
-        l.ratio * placed[i].axis.dot(l.kind == joint_kind::revolute ? loads[i].moment : loads[i].force);
+        l.ratio *
+        math::dot(placed[i].axis, l.kind == joint_kind::revolute ? loads[i].moment : loads[i].force);
     load& below = l.parent < 0 ? at_base : loads[static_cast<std::size_t>(l.parent)];
     below.force += loads[i].force;
     below.moment += loads[i].moment + rotation::cross<double>(arm(i), loads[i].force);
@@ -131,16 +133,18 @@ Eigen::Matrix<double, Size, 1> torques_at_rest(const std::array<body_link, Count
   std::array<vector3, Count> moment;  // mass times centre, from the base's origin
   for (std::size_t i = 0; i < Count; ++i) {
     mass[i] = links[i].inertia.mass;
-    moment[i] = mass[i] * (placed[i].frame.at + placed[i].frame.turn * as_vector(links[i].inertia.centre));
+    moment[i] = mass[i] * (placed[i].frame.at +
+                           math::product(placed[i].frame.turn, as_vector(links[i].inertia.centre)));
   }
   Eigen::Matrix<double, Size, 1> torques = Eigen::Matrix<double, Size, 1>::Zero();
   for (std::size_t i = Count; i-- > 0;) {
     const body_link& l = links[i];
     const vector3& axis = placed[i].axis;
     if (l.kind == joint_kind::revolute)
-      torques[l.coordinate] -= l.ratio * axis.dot(rotation::cross<double>(
-                                             vector3(moment[i] - mass[i] * placed[i].frame.at), gravity));
-    else torques[l.coordinate] -= l.ratio * mass[i] * axis.dot(gravity);
+      torques[l.coordinate] -=
+          l.ratio * math::dot(axis, rotation::cross<double>(vector3(moment[i] - mass[i] * placed[i].frame.at),
+                                                            gravity));
+    else torques[l.coordinate] -= l.ratio * mass[i] * math::dot(axis, gravity);
     if (l.parent >= 0) {
       mass[static_cast<std::size_t>(l.parent)] += mass[i];
       moment[static_cast<std::size_t>(l.parent)] += moment[i];

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/mapping/kinematics.hpp>
 #include <cca/robot/recorded/joint_values.hpp>
 #include <cca/robot/recorded/placed_ends.hpp>
@@ -34,7 +35,7 @@ vector3 centre_of_mass(const std::array<body_link, Count>& links,
   for (std::size_t i = 0; i < Count; ++i) {
     const auto& [m, centre, inertia] = links[i].inertia;
     mass += m;
-    moment += m * (placed[i].frame.at + placed[i].frame.turn * as_vector(centre));
+    moment += m * (placed[i].frame.at + math::product(placed[i].frame.turn, as_vector(centre)));
   }
   return mass > 0 ? vector3(moment / mass) : vector3::Zero();
 }

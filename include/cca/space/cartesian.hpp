@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
@@ -40,7 +41,7 @@ struct cartesian_position : detail::linear_domain {
     template <Sample Other>
     double distance(const Other& to) const {
       const auto v = difference(to);
-      return math::sqrt(v.dot(v));
+      return math::sqrt(math::dot(v, v));
     }
   };
 };
@@ -56,7 +57,7 @@ struct cartesian_force : detail::linear_domain {
     // In N.
     double magnitude() const {
       const auto v = this->self().vector();
-      return math::sqrt(v.dot(v));
+      return math::sqrt(math::dot(v, v));
     }
   };
 };

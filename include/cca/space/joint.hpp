@@ -10,6 +10,7 @@
 //   joint_damping         N m s/rad 0      sums, torque(velocities), interpolated, within_limits, clamped
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/messages/vector_argument.hpp>
@@ -111,7 +112,7 @@ struct joint_torques : detail::joint_domain {
       static_assert(
           detail::holds_or_tells<detail::velocities_along<Velocities, Self>,
                                  detail::other_velocities<typename Velocities::space, Self>>::value);
-      return this->self().vector().dot(velocities.vector());
+      return math::dot(this->self().vector(), velocities.vector());
     }
   };
 };

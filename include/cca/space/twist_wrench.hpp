@@ -13,6 +13,7 @@
 #include <array>
 #include <string_view>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/space/orientation.hpp>
@@ -136,7 +137,7 @@ struct wrench : detail::spatial_domain<At, In> {
           detail::holds_or_tells<SameFrame<At, other_at>, detail::power_at_other_point<At, other_at>>::value);
       static_assert(detail::holds_or_tells<(!SameFrame<At, other_at> || SameFrame<In, other_in>),
                                            detail::power_in_other_frame<In, other_in>>::value);
-      return this->self().vector().dot(motion.vector());
+      return math::dot(this->self().vector(), motion.vector());
     }
   };
 };

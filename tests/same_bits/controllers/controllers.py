@@ -72,10 +72,14 @@ def main():
                             ["clang++-19", "--target=wasm32-wasi", "-O2", "-include", page / "stand_ins.hpp", f"-I{page}/single_thread", page / "exceptions.cpp",
                              "-Wl,-z,stack-size=1048576"]),
     }
+    without_packets = ["-DCCA_SAME_BITS", "-DEIGEN_DONT_VECTORIZE"]
+    if o.name == "simulated_trot":  # its parts have the same bits with packets, too
+        machines["g++ -O2, Eigen with packets"] = ([], ["g++", "-O2", *gnu])
     first, problems = None, []
     for machine, (runner, compiler) in machines.items():
         program = folder / "program"
-        run([*compiler, *common, HERE / f"{o.name}.cpp", "-o", program])
+        given = [flag for flag in common if flag not in without_packets] if "with packets" in machine else common
+        run([*compiler, *given, HERE / f"{o.name}.cpp", "-o", program])
         with sensed.open("rb") as told:
             done = subprocess.run([*map(str, runner), str(program), *([str(sensed)] if "node" in runner else [])], stdin=told, cwd=folder,
                                   stdout=subprocess.PIPE, text=True)

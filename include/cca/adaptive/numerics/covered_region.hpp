@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/base/eigen.hpp>
@@ -30,7 +31,7 @@ struct covered_region {
   bool contains(const input& x, double margin) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (int j = 0; j < M; ++j)
-      nearest = std::min(nearest, ((x - centres.col(j)).cwiseQuotient(width)).squaredNorm());
+      nearest = std::min(nearest, math::squared_norm((x - centres.col(j)).cwiseQuotient(width)));
     const double reach = (1 + margin) * radius;
     return radius >= 0 && nearest <= reach * reach * (1 + 1e-12) + 1e-18;
   }
@@ -52,8 +53,8 @@ struct covered_region {
     for (int j = 0; j < M; ++j) {
       region.centres.col(j) = inputs[chosen];
       for (std::size_t k = 0; k < inputs.size(); ++k)
-        nearest[k] =
-            std::min(nearest[k], ((inputs[k] - inputs[chosen]).cwiseQuotient(region.width)).squaredNorm());
+        nearest[k] = std::min(nearest[k],
+                              math::squared_norm((inputs[k] - inputs[chosen]).cwiseQuotient(region.width)));
       chosen = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
     }
     region.radius = math::sqrt(nearest[chosen]);

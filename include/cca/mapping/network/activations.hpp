@@ -28,6 +28,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca::neural {
@@ -184,7 +185,7 @@ template <class Number, int Size>
   const numbers<Number, Size> e = detail::each(below, [](auto some) {
     return detail::growth<decltype(some), true>(detail::within(some, -87, 0)).value();
   });
-  return e / e.sum();
+  return e / math::sum(e);
 }
 
 }  // namespace cca::neural

@@ -15,6 +15,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/mapping/network/activations.hpp>
 #include <cca/mapping/network/weighted_sums.hpp>
@@ -102,22 +103,22 @@ template <class Number, int... Sizes>
 template <class Number, int Size>
 [[gnu::always_inline]] inline numbers<Number, Size> layer_norm(const numbers<Number, Size>& x,
                                                                double epsilon) {
-  const numbers<Number, Size> off = (x.array() - x.sum() / static_cast<Number>(Size)).matrix();
-  const Number variance = off.squaredNorm() / static_cast<Number>(Size);
+  const numbers<Number, Size> off = (x.array() - math::sum(x) / static_cast<Number>(Size)).matrix();
+  const Number variance = math::squared_norm(off) / static_cast<Number>(Size);
   return off / math::sqrt(variance + static_cast<Number>(epsilon));
 }
 
 template <class Number, int Size>
 [[gnu::always_inline]] inline numbers<Number, 1> mean(const numbers<Number, Size>& x) {
-  return numbers<Number, 1>(x.sum() / static_cast<Number>(Size));
+  return numbers<Number, 1>(math::sum(x) / static_cast<Number>(Size));
 }
 template <class Number, int Size>
 [[gnu::always_inline]] inline numbers<Number, 1> total(const numbers<Number, Size>& x) {
-  return numbers<Number, 1>(x.sum());
+  return numbers<Number, 1>(math::sum(x));
 }
 template <class Number, int Size>
 [[gnu::always_inline]] inline numbers<Number, 1> length(const numbers<Number, Size>& x) {
-  return numbers<Number, 1>(math::sqrt(x.squaredNorm()));
+  return numbers<Number, 1>(math::sqrt(math::squared_norm(x)));
 }
 template <class Number, int Size>
 [[gnu::always_inline]] inline numbers<Number, Size> root(const numbers<Number, Size>& x) {

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
 #include <cca/base/eigen.hpp>
@@ -75,7 +76,7 @@ activations<N> discrete_activations(double x, double decay) {
     psi[i] = math::exp(-off * off);
     centre *= ratio;
   }
-  const double sum = psi.sum();
+  const double sum = math::sum(psi);
   if (!(sum > 0)) return activations<N>::Zero();
   psi /= sum;
   return psi;
@@ -96,7 +97,7 @@ template <int N>
     cosine = next;
   }
   for (int i = 0; i < N; ++i) psi[i] = detail::decayed(psi[i]);
-  psi /= psi.sum();
+  psi /= math::sum(psi);
   return psi;
 }
 

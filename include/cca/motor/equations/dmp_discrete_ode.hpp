@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/ode.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 
@@ -57,7 +58,7 @@ struct dmp_discrete_ode {
   static state derivative(const state& s, const input& u, const parameters& p) {
     const vector y = s.template head<D>(), z = s.template segment<D>(D), g = s.template segment<D>(2 * D);
     const double x = s[3 * D], tau = u[2 * D];
-    const vector shape = p.weights * discrete_activations<N>(x, p.decay);
+    const vector shape = math::product(p.weights, discrete_activations<N>(x, p.decay));
     const vector forcing = x * shape.cwiseProduct(scale(g, u.template segment<D>(D), p));
     state rate;
     rate.template head<D>() = z;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/ode.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/space/methods/rotation.hpp>
@@ -78,7 +79,8 @@ struct dmp_pose_ode {
     const vector3 at = s.template head<3>(), z = s.template segment<3>(3), e = s.template segment<3>(10),
                   g = s.template segment<3>(13);
     const vector4 q = s.template segment<4>(6), gq = s.template segment<4>(16);
-    const Eigen::Matrix<double, 6, 1> shape = s[20] * (p.weights * discrete_activations<N>(s[20], p.decay));
+    const Eigen::Matrix<double, 6, 1> shape =
+        s[20] * math::product(p.weights, discrete_activations<N>(s[20], p.decay));
     vector3 way = vector3::Ones(), turn_of_it = vector3::Ones();
     if (p.scaled) {
       way = g - u.template segment<3>(7);

@@ -26,6 +26,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/base/eigen.hpp>
@@ -52,13 +53,13 @@ struct gaussian_mixture {
   }
 
   std::string_view check() const {
-    if (priors.minCoeff() < 0 || !(priors.sum() > 0))
+    if (priors.minCoeff() < 0 || !(math::sum(priors) > 0))
       return "the priors are not weights: no prior may be negative, and not all may be zero";
     if (priors.maxCoeff() > 1e12 || means.cwiseAbs().maxCoeff() > 1e12)
       return "a prior or a mean is above 1e12";
     for (const auto& one : covariances) {
       if (one.cwiseAbs().maxCoeff() > 1e24) return "a covariance is above 1e24";
-      if ((one - one.transpose()).norm() > 1e-9 * one.norm()) return "a covariance is not symmetric";
+      if (math::norm(one - one.transpose()) > 1e-9 * math::norm(one)) return "a covariance is not symmetric";
       const Eigen::LLT<Eigen::Matrix<double, I, I>> factor(block(one));
       if (factor.info() != Eigen::Success) return "a covariance is not positive definite over the input";
       if (!(factor.matrixLLT().diagonal().minCoeff() >= 1e-12))
@@ -82,7 +83,7 @@ double log_density(const Eigen::Matrix<double, N, 1>& off, const Eigen::Matrix<d
   const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(S);
   double half_log_determinant = 0;
   for (int i = 0; i < N; ++i) half_log_determinant += math::log(factor.matrixLLT()(i, i));
-  return -0.5 * off.dot(factor.solve(off)) - half_log_determinant - 0.5 * N * log_of_turn;
+  return -0.5 * math::dot(off, factor.solve(off).eval()) - half_log_determinant - 0.5 * N * log_of_turn;
 }
 
 // What the learners of Gaussians add to each variance.
@@ -98,7 +99,7 @@ Eigen::Matrix<double, N, N> above_floor(const Eigen::Matrix<double, N, N>& covar
     const Eigen::LLT<square> factor(made);
     return factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() >= 1e-12;
   };
-  double more = std::max(1e-12, 1e-16 * made.trace());
+  double more = std::max(1e-12, 1e-16 * math::trace(made));
   for (int i = 0; i < 40 && !is_sound(); ++i, more *= 10) made += more * square::Identity();
   return made;
 }
@@ -154,16 +155,18 @@ regression<O, K> regress(const gaussian_mixture<I, O, K>& model,
     const Eigen::Matrix<double, I, O> slope = factor.solve(S.template topRightCorner<I, O>());
     double half_log_determinant = 0;
     for (int i = 0; i < I; ++i) half_log_determinant += math::log(factor.matrixLLT()(i, i));
-    logarithm[k] = math::log(priors[k]) - half_log_determinant - 0.5 * off.dot(factor.solve(off));
-    answers.col(k) = model.means.col(k).template tail<O>() + slope.transpose() * off;
+    logarithm[k] =
+        math::log(priors[k]) - half_log_determinant - 0.5 * math::dot(off, factor.solve(off).eval());
+    answers.col(k) = model.means.col(k).template tail<O>() + math::product(slope.transpose(), off);
     spreads[static_cast<std::size_t>(k)] =
-        S.template bottomRightCorner<O, O>() - slope.transpose() * S.template topRightCorner<I, O>();
+        S.template bottomRightCorner<O, O>() -
+        math::product(slope.transpose(), S.template topRightCorner<I, O>());
   }
   regression<O, K> result;
   const double top = logarithm.maxCoeff();
   for (int k = 0; k < K; ++k) result.responsibilities[k] = math::exp(logarithm[k] - top);
-  result.responsibilities /= result.responsibilities.sum();
-  result.mean = answers * result.responsibilities;
+  result.responsibilities /= math::sum(result.responsibilities);
+  result.mean = math::product(answers, result.responsibilities);
   result.covariance.setZero();
   for (int k = 0; k < K; ++k) {
     const output off = answers.col(k) - result.mean;

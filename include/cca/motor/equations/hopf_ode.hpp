@@ -16,6 +16,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/adaptive/ode.hpp>
 
@@ -29,21 +30,21 @@ struct hopf_ode {
   };
 
   static state derivative(const state& x, const input& u, const parameters& p) {
-    const double along = p.convergence * (u[0] * std::abs(u[0]) - x.dot(x)),
+    const double along = p.convergence * (u[0] * std::abs(u[0]) - math::dot(x, x)),
                  around = 2 * std::numbers::pi * u[1];
     return {along * x[0] - around * x[1], along * x[1] + around * x[0]};
   }
 
   // On the way to a smaller circle the radius counts, to a larger one the amplitude.
   static double fastest(const state& x, const input& u, const parameters& p) {
-    return 2 * p.convergence * std::max(u[0] * u[0], x.dot(x)) + 2 * std::numbers::pi * std::abs(u[1]);
+    return 2 * p.convergence * std::max(u[0] * u[0], math::dot(x, x)) + 2 * std::numbers::pi * std::abs(u[1]);
   }
 
   // With s = 2 c m t: r^2 = r0^2 e^s / (1 + r0^2 2 c t (e^s - 1) / s), both parts divided by e^s if s > 0.
   static state flow(const state& x, const input& u, const parameters& p, double seconds) {
     const double s = 2 * p.convergence * u[0] * std::abs(u[0]) * seconds, falling = math::exp(-std::abs(s)),
                  share = s == 0 ? 1 : -math::expm1(-std::abs(s)) / std::abs(s);
-    const double pull = x.dot(x) * 2 * p.convergence * seconds * share;
+    const double pull = math::dot(x, x) * 2 * p.convergence * seconds * share;
     if (!(pull + falling > 0)) return x;  // the origin is an equilibrium
     const double scale = math::sqrt(s > 0 ? 1 / (falling + pull) : falling / (1 + pull));
     const auto turn = math::sine_and_cosine(2 * std::numbers::pi * u[1] * seconds);

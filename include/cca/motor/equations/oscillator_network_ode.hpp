@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/adaptive/ode.hpp>
 
@@ -38,7 +39,7 @@ struct oscillator_network_ode {
   }
   // The sum of the radii, now and where they go to.
   static double radii(const state& x, const input& u) {
-    return x.template segment<N>(N).cwiseAbs().cwiseMax(u.template tail<N>().cwiseAbs()).sum();
+    return math::sum(x.template segment<N>(N).cwiseAbs().cwiseMax(u.template tail<N>().cwiseAbs()));
   }
 
   static state derivative(const state& x, const input& u, const parameters& p) {

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/base/math/random_numbers.hpp>
 #include <cca/base/eigen.hpp>
@@ -89,7 +90,7 @@ private:
     double growth = 0;
     for (int k = 0; k < 500; ++k) {
       v = recur(v);
-      const double length = math::sqrt(v.dot(v));
+      const double length = math::sqrt(math::dot(v, v));
       if (!(length > 0)) return 1;
       v /= length;
       if (k >= 100) growth += math::log(length);

@@ -35,6 +35,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/space/messages/space_in_words.hpp>
 #include <cca/base/messages/holds_or_tells.hpp>
@@ -128,7 +129,7 @@ public:
     vector deviation;
     for (int i = 0; i < S::size; ++i) deviation[i] = math::sqrt(std::max(0.0, answer.covariance(i, i)));
     spread = deviation;
-    const double rate = solver.rate(attractor, with).norm();
+    const double rate = math::norm(solver.rate(attractor, with));
     return give(status_of(read.get(), ode_state.update(rate, p.settling)), at, command, velocity, spread);
   }
 

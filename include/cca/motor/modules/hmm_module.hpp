@@ -40,6 +40,7 @@
 // Example: tests/runtime/adaptive/hmm_module.cpp.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/module/three_in_a_row.hpp>
 #include <cca/adaptive/ode_solver.hpp>
@@ -99,14 +100,14 @@ public:
       typename ode::state x = ode::state::Zero();
       // Without a start where the first parts of the demonstrations were.
       x.template head<S::size>() =
-          start
-              ? vector(read(start.vector()))
-              : vector(centre + function.mixture.means.template topRows<S::size>() * function.mixture.priors);
+          start ? vector(read(start.vector()))
+                : vector(centre + math::product(function.mixture.means.template topRows<S::size>(),
+                                                function.mixture.priors));
       solver.set(x);
     }
     const vector at = (is_measured ? measured : vector(solver.get().template head<S::size>())) - centre;
     const weights predicted =
-        begun ? weights(function.transitions.transpose() * shares) : function.mixture.priors;
+        begun ? weights(math::product(function.transitions.transpose(), shares)) : function.mixture.priors;
     const auto answer = model::regress_with(function, predicted, at);
     begun = true;
     if (detail::all_finite(answer.responsibilities) && detail::all_finite(answer.mean)) {
@@ -122,7 +123,7 @@ public:
     Eigen::Index likely = 0;
     shares.maxCoeff(&likely);
     state = static_cast<double>(likely);
-    const double rate = solver.rate(goal, with).norm();
+    const double rate = math::norm(solver.rate(goal, with));
     return give(status_of(read.get(), ode_state.update(rate, p.settling)), at, command, velocity, state);
   }
 

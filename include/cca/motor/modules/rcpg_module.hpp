@@ -37,6 +37,7 @@
 #include <string>
 #include <string_view>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/recursive_least_squares.hpp>
 #include <cca/base/math/random_numbers.hpp>
@@ -62,7 +63,9 @@ struct readout_function {
     all << x, 1.0;
     return all;
   }
-  static output answer(const parameters& p, const input& x) { return p.weights * regressors(x); }
+  static output answer(const parameters& p, const input& x) {
+    return math::product(p.weights, regressors(x));
+  }
   static std::string title() {
     return detail::title_over("readout_function", detail::space_of<S>,
                               "with " + std::to_string(N) + " units");
@@ -149,7 +152,7 @@ public:
       y = read(model::answer(function, network.get()));
     }
     command = taught ? output(shown.vector()) : output(centre + y);
-    const double rate = (network.get() - before).norm() / now.dt();
+    const double rate = math::norm(network.get() - before) / now.dt();
     return give(status_of(read.get(), ode_state.update(rate, p.settling)), network.get(), command);
   }
 

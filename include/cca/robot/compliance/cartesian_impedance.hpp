@@ -61,6 +61,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
@@ -200,7 +201,7 @@ struct cartesian_impedance {
                                                 detail::within_bounds(mass, angles, motion));
       const matrix3 frame = along_reference ? rotation::matrix(detail::vector4(goal.template tail<4>()))
                                             : matrix3(matrix3::Identity());
-      const vector_6 away = wanted_twist - at.jacobian * dq;
+      const vector_6 away = wanted_twist - math::product(at.jacobian, dq);
       detail::matrix6 resists = all_damping(at, frame, k, d, p.damping_ratio);
       vector posture_k = p.posture_stiffness;
       const double share = share_of(at, resists, spring_of(frame, k), posture_k, beat_now.dt());
@@ -209,7 +210,7 @@ struct cartesian_impedance {
         resists *= share;
         k *= share * share, posture_k *= share * share;
       }
-      wrench = added + resists * away;
+      wrench = added + math::product(resists, away);
       if (pulls) {
         const auto pull = detail::cartesian_spring(at.end, goal, frame, k, p.largest);
         spring_cut = pull.cut;
@@ -219,7 +220,8 @@ struct cartesian_impedance {
       if (posture && posture.origin() != never && !wish.unreadable())
         spring = at.free_torques(vector(
             posture_k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, rest))));
-      torques = at.jacobian.transpose() * wrench + free_joints(at, spring, q, dq, beat_now.dt());
+      torques =
+          math::product(at.jacobian.transpose(), wrench) + free_joints(at, spring, q, dq, beat_now.dt());
       if (p.compensate_gravity) torques += gravity_torques(detail::within_bounds(pose, angles, motion), down);
     } else {
       gap = true;
@@ -256,7 +258,7 @@ private:
   // About and along the axes of the base.
   static detail::matrix6 spring_of(const matrix3& frame, const vector_6& k) {
     const detail::matrix6 root = detail::root_along(frame, k);
-    return root * root.transpose();
+    return math::product(root, root.transpose());
   }
   static detail::matrix6 all_damping(const detail::tip_dynamics<Type, Part>& at,
                                      const matrix3& frame,
@@ -272,8 +274,8 @@ private:
                          const vector& posture,
                          double dt) {
     using matrix = Eigen::Matrix<double, body_pose<Type>::size, body_pose<Type>::size>;
-    const matrix d = at.jacobian.transpose() * damping * at.jacobian;
-    matrix k = at.jacobian.transpose() * spring * at.jacobian;
+    const matrix d = math::product(math::product(at.jacobian.transpose(), damping), at.jacobian);
+    matrix k = math::product(math::product(at.jacobian.transpose(), spring), at.jacobian);
     k += posture.asDiagonal();
     return detail::stable_share<body_pose<Type>::size, false>(at.mass, d, k, dt);
   }

@@ -22,6 +22,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 
@@ -34,7 +35,7 @@ struct spring_pull {
 
 // What a torque along the changes of a rotation vector is about the axes: J^-T, J the left Jacobian.
 inline vector3 torque_of_gradient(const vector3& r, const vector3& gradient) {
-  const double square = r.dot(r), angle = math::sqrt(square);
+  const double square = math::dot(r, r), angle = math::sqrt(square);
   const double c = angle < 1e-3 ? 1.0 / 12 : (1 - 0.5 * angle / math::tan(0.5 * angle)) / square;
   const vector3 once = cross(r, gradient);
   return gradient + 0.5 * once + c * cross(r, once);
@@ -50,10 +51,12 @@ inline spring_pull cartesian_spring(const rigid& end,
                                     const matrix3& frame,
                                     const vector6& stiffness,
                                     const vector6& most) {
-  const vector3 r = frame.transpose() * turn_from(reference.tail<4>(), quaternion_of(end.turn)),
-                d = frame.transpose() * (end.at - reference.head<3>());
+  const vector3 r = math::product(frame.transpose(), turn_from(reference.tail<4>(), quaternion_of(end.turn))),
+                d = math::product(frame.transpose(), end.at - reference.head<3>());
   const vector6 pull = -stiffness.cwiseProduct(spatial(r, d)), cut = pull.cwiseMin(most).cwiseMax(-most);
-  return {spatial(frame * torque_of_gradient(r, angular(cut)), frame * linear(cut)), cut != pull};
+  return {
+      spatial(math::product(frame, torque_of_gradient(r, angular(cut))), math::product(frame, linear(cut))),
+      cut != pull};
 }
 
 // G with the stiffness G G^T along the axes of the base.

@@ -48,6 +48,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
@@ -177,7 +178,7 @@ private:
                  mobility = detail::positive_matrix<body_pose<Type>::size>(mass_matrix(at))
                                 .solve(matrix(matrix::Identity()));
     return p.stop_stiffness.cwiseProduct(at_contact - q) -
-           detail::damping_for<body_pose<Type>::size>(mobility, root, 0.7) * dq;
+           math::product(detail::damping_for<body_pose<Type>::size>(mobility, root, 0.7), dq);
   }
 
   vector blended(const vector& reaction, const vector& command) const {

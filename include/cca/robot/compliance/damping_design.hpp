@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/robot/compliance/symmetric_eigen.hpp>
 
@@ -30,10 +31,10 @@ Eigen::Matrix<double, Size, Size> damping_for(const Eigen::Matrix<double, Size, 
                                               const Eigen::Matrix<double, Size, Size>& root,
                                               double ratio) {
   using matrix = Eigen::Matrix<double, Size, Size>;
-  const symmetric_eigen<Size> modes(matrix(root.transpose() * mobility * root));
+  const symmetric_eigen<Size> modes(math::product(math::product(root.transpose(), mobility), root));
   const double most = modes.values.maxCoeff();
   if (!(most > 1e-200)) return matrix::Zero();  // below, the floor of w would be 0
-  const matrix gv = root * modes.vectors;
+  const matrix gv = math::product(root, modes.vectors);
   matrix d = matrix::Zero();
   for (int i = 0; i < Size; ++i)
     d +=

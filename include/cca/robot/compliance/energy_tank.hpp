@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/robot/dynamics/positive_matrix.hpp>
 
@@ -41,13 +42,13 @@ public:
   }
 
   void draw(const vector& q, double most) {
-    if (begun) stored -= torques.dot(q - at);
+    if (begun) stored -= math::dot(torques, q - at);
     stored = std::max(-1.0, std::min(stored, most));
   }
   // As draw, after firings in which it was not called. What flowed in meanwhile is not known, so it doesn't
   // count.
   void draw_after_gap(const vector& q, double most) {
-    if (begun) stored -= std::max(0.0, torques.dot(q - at));
+    if (begun) stored -= std::max(0.0, math::dot(torques, q - at));
     stored = std::max(-1.0, std::min(stored, most));
   }
 
@@ -57,8 +58,8 @@ public:
                const positive_matrix<Size>& solver,
                double dt) const {
     const vector moved = dt * dt * solver.solve(t);
-    const double a = 0.5 * t.dot(moved), b = dt * dq.dot(t) + other.dot(moved);
-    const double c = dt * dq.dot(other) + 0.5 * dt * dt * other.dot(solver.solve(other));
+    const double a = 0.5 * math::dot(t, moved), b = dt * math::dot(dq, t) + math::dot(other, moved);
+    const double c = dt * math::dot(dq, other) + 0.5 * dt * dt * math::dot(other, solver.solve(other));
     const auto within = [](double s) { return std::min(1.0, std::max(0.0, s)); };
     if (!(a > 0)) return 1;  // no torques
     const double lowest = -b / (2 * a), room = stored - c;

@@ -47,6 +47,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
@@ -153,16 +154,16 @@ struct hybrid_control {
       const detail::tip_dynamics<Type, Part> at(detail::within_bounds(end, angles, motion),
                                                 detail::within_bounds(jacobian, angles, motion),
                                                 detail::within_bounds(mass, angles, motion));
-      const vector_6 twist = at.jacobian * dq, local = turned(frame.transpose(), twist);
+      const vector_6 twist = math::product(at.jacobian, dq), local = turned(frame.transpose(), twist);
       const vector_6 chosen = selection(), k = p.stiffness.cwiseProduct(vector_6(vector_6::Ones() - chosen));
-      vector_6 wrench =
-          -detail::damping_for<6>(at.mobility, detail::root_along(frame, k), p.damping_ratio) * twist;
+      vector_6 wrench = -math::product(
+          detail::damping_for<6>(at.mobility, detail::root_along(frame, k), p.damping_ratio), twist);
       vector_6 u = -chosen.cwiseProduct(p.force_damping.cwiseProduct(local));
       if (acts) {
         wrench += detail::cartesian_spring(at.end, goal, frame, k, p.largest).wrench;
         u = controlled(chosen, force, exerted, u, beat_now.dt(), force_cut);
       }
-      torques = at.jacobian.transpose() * (wrench + turned(frame, u)) -
+      torques = math::product(at.jacobian.transpose(), wrench + turned(frame, u)) -
                 p.posture_damping * at.free_momentum(dq) +
                 gravity_torques(detail::within_bounds(pose, angles, motion), down);
     }
@@ -190,7 +191,7 @@ private:
     return detail::reordered<order, typename Port::space>::from(port.vector());
   }
   static vector_6 turned(const matrix3& by, const vector_6& v) {
-    return detail::spatial(by * detail::angular(v), by * detail::linear(v));
+    return detail::spatial(math::product(by, detail::angular(v)), math::product(by, detail::linear(v)));
   }
   vector_6 selection() const {
     vector_6 chosen;

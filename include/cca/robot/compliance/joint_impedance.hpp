@@ -51,6 +51,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -155,7 +156,7 @@ struct joint_impedance {
         resists *= share;
         k *= share * share;
       }
-      torques = added + resists * (dq_wanted - dq);
+      torques = added + math::product(resists, dq_wanted - dq);
       if (!wish.unreadable() && reference.origin() != never) {
         const vector pull =
                          k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, wanted)),

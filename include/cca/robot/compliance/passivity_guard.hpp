@@ -40,6 +40,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
@@ -110,7 +111,7 @@ struct passivity_guard {
       else tank.draw(q, p.most);
       gap = false;
       const auto& [mass, solver] = detail::within_bounds(moved, angles, motion);
-      const vector brake = -p.braking * (mass * dq);
+      const vector brake = -p.braking * math::product(mass, dq);
       if (!command.unreadable()) share = tank.share(wanted, vector(vector::Zero()), dq, solver, now.dt());
       // The brake takes the place of what does not pass.
       if (share < 1 && !command.unreadable())

@@ -13,6 +13,7 @@
 // mass. Source: operational_space.hpp.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/compliance/compliance_spaces.hpp>
 #include <cca/robot/dynamics/derived_mass.hpp>
 #include <cca/robot/dynamics/operational_space.hpp>
@@ -36,15 +37,17 @@ struct tip_dynamics {
       : end(at), jacobian(moves), mass(m.matrix), solver(m.solver) {
     const Eigen::Matrix<double, size, 6> half =
         solver.forward(Eigen::Matrix<double, size, 6>(jacobian.transpose()));
-    mobility = half.transpose() * half;
+    mobility = math::product(half.transpose(), half);
     inertia = generalised_inverse<6>(mobility);
   }
 
   vector free_torques(const vector& t) const {
-    return t - jacobian.transpose() * (inertia * (jacobian * solver.solve(t)));
+    return t - math::product(jacobian.transpose(),
+                             math::product(inertia, math::product(jacobian, solver.solve(t))));
   }
   vector free_momentum(const vector& dq) const {
-    return mass * dq - jacobian.transpose() * (inertia * (jacobian * dq));
+    return math::product(mass, dq) -
+           math::product(jacobian.transpose(), math::product(inertia, math::product(jacobian, dq)));
   }
 };
 

@@ -15,6 +15,7 @@
 // velocity of a particle: half of the 6 x 6 matrix is zero then.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/robot/recorded/torque_derivatives.hpp>
 
@@ -30,9 +31,9 @@ struct coriolis_factor {
   coriolis_factor(const spatial_inertia& of, const vector6& v) {
     const vector3 w = angular(v), u = linear(v);
     // The second moment of the mass about the base's origin.
-    const matrix3 second = 0.5 * of.about.trace() * matrix3::Identity() - of.about;
-    turning = -u * of.moment.transpose() - skew(w) * second;
-    turning.diagonal().array() += of.moment.dot(u);
+    const matrix3 second = 0.5 * math::trace(of.about) * matrix3::Identity() - of.about;
+    turning = -u * of.moment.transpose() - math::product(skew(w), second);
+    turning.diagonal().array() += math::dot(of.moment, u);
     momentum = of.mass * u - cross(of.moment, w);
   }
   coriolis_factor& operator+=(const coriolis_factor& b) {
@@ -42,10 +43,11 @@ struct coriolis_factor {
   }
   vector6 times(const vector6& m) const {
     const vector3 w = angular(m);
-    return spatial(turning * w, cross(w, momentum));
+    return spatial(math::product(turning, w), cross(w, momentum));
   }
   vector6 transposed_times(const vector6& m) const {
-    return spatial(turning.transpose() * angular(m) + cross(momentum, linear(m)), vector3::Zero());
+    return spatial(math::product(turning.transpose(), angular(m)) + cross(momentum, linear(m)),
+                   vector3::Zero());
   }
 };
 
@@ -68,11 +70,11 @@ Eigen::Matrix<double, Size, Size> coriolis_of(const std::array<body_link, Count>
     const vector6 across = inertia[i] * change[i] + factor[i].times(s[i]);
     const vector6 load = inertia[i] * s[i], back = factor[i].transposed_times(s[i]);
     const int own = links[i].coordinate;
-    c(own, own) += s[i].dot(across);
+    c(own, own) += math::dot(s[i], across);
     for (int p = links[i].parent; p >= 0; p = links[static_cast<std::size_t>(p)].parent) {
       const auto j = static_cast<std::size_t>(p);
-      c(links[j].coordinate, own) += s[j].dot(across);
-      c(own, links[j].coordinate) += change[j].dot(load) + s[j].dot(back);
+      c(links[j].coordinate, own) += math::dot(s[j], across);
+      c(own, links[j].coordinate) += math::dot(change[j], load) + math::dot(s[j], back);
     }
     if (links[i].parent < 0) continue;
     inertia[static_cast<std::size_t>(links[i].parent)] += inertia[i];

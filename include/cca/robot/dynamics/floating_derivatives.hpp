@@ -32,6 +32,7 @@
 // Sources: recorded/torque_derivatives.hpp, where the base is a joint of six axes; derivatives.hpp.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/derivatives.hpp>
 
 namespace cca {
@@ -65,8 +66,8 @@ auto floating_inverse_dynamics_derivatives(const body_pose<Type>& now,
                                  accelerations, base, d);
   // What gravity adds to the loads is what the opposite acceleration of the base would.
   for (int k = 0; k < 3; ++k)
-    d.by_orientation.col(k) =
-        d.by_accelerations.template middleCols<3>(3) * detail::cross(detail::vector3::Unit(k), base.gravity);
+    d.by_orientation.col(k) = math::product(d.by_accelerations.template middleCols<3>(3),
+                                            detail::cross(detail::vector3::Unit(k), base.gravity));
   return d;
 }
 

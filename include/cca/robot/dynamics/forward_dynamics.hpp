@@ -19,6 +19,7 @@
 // matrix instead (section 6.1). Cost: linear in the number of joints; nothing allocates.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
 #include <cca/robot/dynamics/positive_matrix.hpp>
 
@@ -80,13 +81,13 @@ forward_dynamics_result<Size> articulated_body(const std::array<body_link, Count
   for (std::size_t i = Count; i-- > 0;) {
     const body_link& l = links[i];
     articulated_joint& j = joints[i];
-    j.load = inertia[i] * j.motion;
-    j.inverse = 1 / j.motion.dot(j.load);
-    j.torque = torques[l.coordinate] - j.motion.dot(bias[i]);
+    j.load = math::product(inertia[i], j.motion);
+    j.inverse = 1 / math::dot(j.motion, j.load);
+    j.torque = torques[l.coordinate] - math::dot(j.motion, bias[i]);
     if (!Free && l.parent < 0) continue;
     const vector6 part = j.inverse * j.load;
     inertia[i].noalias() -= part * j.load.transpose();
-    bias[i] += inertia[i] * j.c + j.torque * part;
+    bias[i] += math::product(inertia[i], j.c) + j.torque * part;
     (l.parent < 0 ? base_inertia : inertia[static_cast<std::size_t>(l.parent)]) += inertia[i];
     (l.parent < 0 ? base_bias : bias[static_cast<std::size_t>(l.parent)]) += bias[i];
   }
@@ -104,7 +105,7 @@ forward_dynamics_result<Size> articulated_body(const std::array<body_link, Count
     const body_link& l = links[i];
     const articulated_joint& j = joints[i];
     a[i] = (l.parent < 0 ? of_root : a[static_cast<std::size_t>(l.parent)]) + j.c;
-    const double ddq = j.inverse * (j.torque - j.load.dot(a[i]));
+    const double ddq = j.inverse * (j.torque - math::dot(j.load, a[i]));
     a[i] += ddq * j.motion;
     result.accelerations[l.coordinate] = ddq;
   }

@@ -15,6 +15,7 @@
 // the number of links, plus six products for each pair of a link and a link on its way to the base.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 
 namespace cca {
@@ -26,10 +27,10 @@ Eigen::Matrix<double, Size, Size> joint_space_inertia(const std::array<body_link
   Eigen::Matrix<double, Size, Size> m = Eigen::Matrix<double, Size, Size>::Zero();
   for (std::size_t i = 0; i < Count; ++i) {
     const int row = links[i].coordinate;
-    m(row, row) += bodies.motion[i].dot(bodies.load[i]);
+    m(row, row) += math::dot(bodies.motion[i], bodies.load[i]);
     for (int j = links[i].parent; j >= 0; j = links[static_cast<std::size_t>(j)].parent) {
       const int column = links[static_cast<std::size_t>(j)].coordinate;
-      const double of_both = bodies.motion[static_cast<std::size_t>(j)].dot(bodies.load[i]);
+      const double of_both = math::dot(bodies.motion[static_cast<std::size_t>(j)], bodies.load[i]);
       m(row, column) += of_both;
       m(column, row) += of_both;
     }

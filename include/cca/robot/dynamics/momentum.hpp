@@ -22,6 +22,7 @@
 // of a Humanoid Robot: Structure and Properties, IROS 2008.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/robot/recorded/joint_momentum.hpp>
 
@@ -36,9 +37,11 @@ namespace detail {
 
 // The momentum of a link that moves like this. In the axes of the link its inertia is constant.
 inline vector6 momentum_of(const link_inertia& of, const rigid& where, const vector6& v) {
-  const vector3 c = where.at + where.turn * as_vector(of.centre), w = angular(v);
+  const vector3 c = where.at + math::product(where.turn, as_vector(of.centre)), w = angular(v);
   const vector3 along = of.mass * (linear(v) + cross(w, c));
-  return spatial(where.turn * (matrix_of(of.about_centre) * (where.turn.transpose() * w)) + cross(c, along),
+  return spatial(math::product(where.turn, math::product(matrix_of(of.about_centre),
+                                                         math::product(where.turn.transpose(), w))) +
+                     cross(c, along),
                  along);
 }
 
@@ -54,8 +57,8 @@ joint_momentum_result<Size> momentum_of_joints(const std::array<body_link, Count
   result.change.setZero();
   for (std::size_t i = Count; i-- > 0;) {
     const vector6 s = motion_of(links[i], placed[i]);
-    result.momentum[links[i].coordinate] += s.dot(h[i]);
-    result.change[links[i].coordinate] += cross_motion(v[i], s).dot(h[i]);
+    result.momentum[links[i].coordinate] += math::dot(s, h[i]);
+    result.change[links[i].coordinate] += math::dot(cross_motion(v[i], s), h[i]);
     if (links[i].parent >= 0) h[static_cast<std::size_t>(links[i].parent)] += h[i];
   }
   return result;
@@ -64,7 +67,7 @@ joint_momentum_result<Size> momentum_of_joints(const std::array<body_link, Count
 // A momentum about the base's origin, about another point. Also for the columns of a matrix.
 template <class Momenta>
 void move_to_point(Momenta& h, const vector3& point) {
-  h.template topRows<3>() -= skew(point) * h.template bottomRows<3>();
+  h.template topRows<3>() -= math::product(skew(point), h.template bottomRows<3>());
 }
 
 template <std::size_t Count>

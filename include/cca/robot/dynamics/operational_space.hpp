@@ -25,6 +25,7 @@
 // rows, which chooses its pivots as it goes; beyond, it is loops.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/positive_matrix.hpp>
 #include <cca/robot/recorded/mobility.hpp>
 
@@ -39,8 +40,8 @@ void operational_space_by_loops(const Eigen::Matrix<double, Size, Size>& mass,
   const positive_matrix<Size> m(mass);
   const Eigen::Matrix<double, Size, Rows> half =
       m.forward(Eigen::Matrix<double, Size, Rows>(rows.transpose()));
-  inertia = generalised_inverse<Rows>(half.transpose() * half);
-  inverse = m.backward(Eigen::Matrix<double, Size, Rows>(half * inertia));
+  inertia = generalised_inverse<Rows>(math::product(half.transpose(), half));
+  inverse = m.backward(Eigen::Matrix<double, Size, Rows>(math::product(half, inertia)));
 }
 
 }  // namespace detail
@@ -61,15 +62,17 @@ struct operational_space {
       Eigen::Matrix<double, Size, Rows> moved;
       detail::straight_line<quantity>::evaluate({moved.data(), inertia.data()}, mass.data(), rows.data());
       inertia = detail::generalised_inverse<Rows>(inertia);
-      inverse = moved * inertia;
+      inverse = math::product(moved, inertia);
     } else {
       detail::operational_space_by_loops(mass, rows, inertia, inverse);
     }
   }
 
-  vector free_motion(const vector& motion) const { return motion - inverse * (jacobian * motion); }
+  vector free_motion(const vector& motion) const {
+    return motion - math::product(inverse, math::product(jacobian, motion));
+  }
   vector free_torques(const vector& torques) const {
-    return torques - jacobian.transpose() * (inverse.transpose() * torques);
+    return torques - math::product(jacobian.transpose(), math::product(inverse.transpose(), torques));
   }
 };
 

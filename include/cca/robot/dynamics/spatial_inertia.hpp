@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robot/body_dynamics.hpp>
 
 namespace cca {
@@ -60,15 +61,16 @@ struct spatial_inertia {
 
   spatial_inertia() = default;
   spatial_inertia(const link_inertia& of, const rigid& where) : mass(of.mass) {
-    const vector3 c = where.at + where.turn * as_vector(of.centre);
+    const vector3 c = where.at + math::product(where.turn, as_vector(of.centre));
     moment = mass * c;
-    about = where.turn * (matrix_of(of.about_centre) * where.turn.transpose()) - moment * c.transpose();
-    about.diagonal().array() += moment.dot(c);
+    about = math::product(where.turn, math::product(matrix_of(of.about_centre), where.turn.transpose())) -
+            moment * c.transpose();
+    about.diagonal().array() += math::dot(moment, c);
   }
   explicit spatial_inertia(const link_inertia& of)
       : mass(of.mass), moment(of.mass * as_vector(of.centre)), about(matrix_of(of.about_centre)) {
     about -= moment * as_vector(of.centre).transpose();
-    about.diagonal().array() += moment.dot(as_vector(of.centre));
+    about.diagonal().array() += math::dot(moment, as_vector(of.centre));
   }
 
   spatial_inertia& operator+=(const spatial_inertia& b) {
@@ -81,7 +83,7 @@ struct spatial_inertia {
   // Momentum from a motion, load from an acceleration.
   vector6 operator*(const vector6& v) const {
     const vector3 w = angular(v), u = linear(v);
-    return spatial(about * w + cross(moment, u), mass * u - cross(moment, w));
+    return spatial(math::product(about, w) + cross(moment, u), mass * u - cross(moment, w));
   }
 
   matrix6 matrix() const {

@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/base/eigen.hpp>
 
@@ -53,7 +54,7 @@ inline vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v
 // Scaled to unit length; the identity if the length is 0.
 template <class Scalar = double>
 inline vector4<Scalar> normalised(const vector4<Scalar>& q) {
-  const Scalar length = math::sqrt(q.dot(q));
+  const Scalar length = math::sqrt(math::dot(q, q));
   return length > 0 ? vector4<Scalar>(q / length) : identity<Scalar>();
 }
 
@@ -70,13 +71,13 @@ inline vector4<Scalar> canonical(const vector4<Scalar>& q) {
 // In [0, pi].
 template <class Scalar = double>
 CCA_INLINE Scalar angle(const vector4<Scalar>& q) {
-  return 2 * math::atan2(math::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
+  return 2 * math::atan2(math::sqrt(math::dot(q.template head<3>(), q.template head<3>())), std::abs(q[3]));
 }
 
 // By `angle` rad about an axis of any length but 0.
 template <class Scalar = double>
 inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
-  const Scalar length = math::sqrt(axis.dot(axis));
+  const Scalar length = math::sqrt(math::dot(axis, axis));
   const auto half = math::sine_and_cosine(angle / 2);
   const Scalar s = half.sine / length;
   return {s * axis[0], s * axis[1], s * axis[2], half.cosine};
@@ -85,7 +86,7 @@ inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
 // From a rotation vector: its direction is the axis, its length the angle.
 template <class Scalar = double>
 inline vector4<Scalar> exp(const vector3<Scalar>& v) {
-  const Scalar square = v.dot(v), angle = math::sqrt(square);
+  const Scalar square = math::dot(v, v), angle = math::sqrt(square);
   const auto half = math::sine_and_cosine(angle / 2);
   const Scalar s = angle < 1e-4 ? 0.5 - square / 48 : half.sine / angle;
   return {s * v[0], s * v[1], s * v[2], half.cosine};
@@ -96,7 +97,7 @@ template <class Scalar = double>
 inline vector3<Scalar> log(const vector4<Scalar>& q) {
   const Scalar w = q[3] < 0 ? -q[3] : q[3], sign = q[3] < 0 ? -1 : 1;
   const vector3<Scalar> v = q.template head<3>();
-  const Scalar n = math::sqrt(v.dot(v));
+  const Scalar n = math::sqrt(math::dot(v, v));
   return (n < 1e-10 ? 2.0 : 2 * math::atan2(n, w) / n) * sign * v;
 }
 
@@ -128,9 +129,10 @@ CCA_INLINE Scalar yaw(const vector4<Scalar>& q) {
 // The shorter way at constant speed: a at t = 0, b at t = 1 (or -b, which is the same rotation).
 template <class Scalar = double>
 inline vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b, Scalar t) {
-  const Scalar sign = a.dot(b) < 0 ? -1 : 1;
+  const Scalar sign = math::dot(a, b) < 0 ? -1 : 1;
   const vector4<Scalar> difference = a - sign * b, sum = a + sign * b;
-  const Scalar angle = 2 * math::atan2(math::sqrt(difference.dot(difference)), math::sqrt(sum.dot(sum)));
+  const Scalar angle =
+      2 * math::atan2(math::sqrt(math::dot(difference, difference)), math::sqrt(math::dot(sum, sum)));
   if (angle < 1e-6)
     return normalised(vector4<Scalar>(
         (1 - t) * a + t * sign * b));  // here sin(angle) is too small to divide by; the chord equals the arc

@@ -1,6 +1,7 @@
 // Where a frame is and how it moves, in the world.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/mapping/kinematics.hpp>
 
 namespace cca::sim {
@@ -12,7 +13,8 @@ struct moving_frame {
 };
 
 inline double sum_of(const moving_frame& f) {
-  return f.where.at.sum() + f.where.turn.sum() + f.velocity.sum() + f.angular_velocity.sum();
+  return math::sum(f.where.at) + math::sum(f.where.turn) + math::sum(f.velocity) +
+         math::sum(f.angular_velocity);
 }
 
 }  // namespace cca::sim

@@ -16,6 +16,7 @@
 
 #include <ode/ode.h>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 #include <cca/sim/engine/engine.hpp>
@@ -83,7 +84,7 @@ public:
     std::fill(load_of.begin(), load_of.end(), 0.0);
     for (const contact& c : contacts_) {
       const Eigen::Vector3d force = Eigen::Vector3d::Map(c.feedback.f1);
-      load_of[c.pair] += std::max(0.0, force.dot(c.normal));
+      load_of[c.pair] += std::max(0.0, math::dot(force, c.normal));
       if (const int shape = pairs_[c.pair].shape; shape >= 0)
         on_touch(touch{static_cast<std::size_t>(shape), c.at, force, c.normal, slip_of(c),
                        pairs_[c.pair].second_shape});
@@ -104,7 +105,7 @@ private:
     const pair& p = pairs_[c.pair];
     const Eigen::Vector3d speed =
         speed_of(dGeomGetBody(p.first), c.at) - speed_of(p.second ? dGeomGetBody(p.second) : nullptr, c.at);
-    return speed - speed.dot(c.normal) * c.normal;
+    return speed - math::dot(speed, c.normal) * c.normal;
   }
   // Of the material point of a body; null: it stands.
   static Eigen::Vector3d speed_of(dBodyID b, const Eigen::Vector3d& at) {

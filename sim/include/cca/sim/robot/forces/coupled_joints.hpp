@@ -34,6 +34,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/sim/robot/model/joint_law.hpp>
 #include <cca/sim/robot/forces/soft_joints.hpp>
 #include <cca/sim/robot/tree/tree_in_engine.hpp>
@@ -98,7 +99,7 @@ public:
             cca::detail::spatial(vector::Map(dBodyGetAngularVel(b)), vector::Map(dBodyGetLinearVel(b)));
     for (std::size_t c = 0; c < q_.size(); ++c) q_[c] = joints[c].angle;
     project(step);
-    if (!std::isfinite(motion_.sum())) return false;
+    if (!std::isfinite(math::sum(motion_))) return false;
     for (std::size_t c = 0; c < q_.size(); ++c) {
       q_[c] += step * speed(c);
       dq_[c] = 0;
@@ -108,7 +109,7 @@ public:
     tree.place(q_, dq_, base_);
     inertia_.look_at(tree);
     project(step);
-    if (!std::isfinite(motion_.sum())) return false;
+    if (!std::isfinite(math::sum(motion_))) return false;
     if (floats()) base_.angular_velocity = motion_.head<3>(), base_.velocity = motion_.segment<3>(3);
     for (std::size_t c = 0; c < q_.size(); ++c) {
       dq_[c] = speed(c);
@@ -145,7 +146,7 @@ private:
                    moved = inertia_.mass(i) * moved_[slot(i)].tail<3>();
       const Eigen::MatrixXd& j = inertia_.jacobian(i);
       for (Eigen::Index a = 0; a < j.cols(); ++a)
-        pushed_[a] += turned.dot(j.col(a).head<3>()) + moved.dot(j.col(a).tail<3>());
+        pushed_[a] += math::dot(turned, j.col(a).head<3>()) + math::dot(moved, j.col(a).tail<3>());
     }
     each_part([](part& p, auto) { p.bounded = false; });
     std::fill(stopped_.begin(), stopped_.end(), 0);
@@ -195,7 +196,7 @@ private:
       if (p.bounded) return;
       double speed;
       if constexpr (std::is_integral_v<decltype(at)>) speed = motion_[at];
-      else speed = at.dot(motion_);
+      else speed = math::dot(at, motion_);
       const double free = p.force.pull - p.force.resistance(step) * speed;
       p.limit = std::clamp(free, p.force.low, p.force.high);
       p.bounded = p.limit != free;

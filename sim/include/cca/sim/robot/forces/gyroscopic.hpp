@@ -19,6 +19,7 @@
 
 #include <Eigen/LU>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
 
@@ -31,17 +32,17 @@ inline Eigen::Vector3d turned_freely(const Eigen::Matrix3d& inertia,
   using cca::detail::cross;
   constexpr double longest = 0.25;  // rad
   constexpr int most_parts = 16, most_iterations = 8;
-  const double turn = before.norm() * std::abs(step);
+  const double turn = math::norm(before) * std::abs(step);
   const int parts = static_cast<int>(std::clamp(math::ceil(turn / longest), 1.0, double(most_parts)));
   const double h = step / parts;
   Eigen::Vector3d w = before;
   for (int k = 0; k < parts; ++k) {
     const Eigen::Vector3d start = w, momentum = inertia * start;
-    const double exact = 1e-15 * momentum.squaredNorm();
+    const double exact = 1e-15 * math::squared_norm(momentum);
     for (int i = 0; i < most_iterations; ++i) {
       const Eigen::Vector3d middle = 0.5 * (start + w), there = inertia * middle;
       const Eigen::Vector3d miss = inertia * w - momentum + h * cross(middle, there);
-      if (miss.squaredNorm() <= 1e-15 * exact) break;
+      if (math::squared_norm(miss) <= 1e-15 * exact) break;
       // The slope of `miss`: I + h/2 ([w]x I - [I w]x).
       Eigen::Matrix3d slope = inertia;
       for (int c = 0; c < 3; ++c)

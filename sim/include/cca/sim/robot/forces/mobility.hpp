@@ -23,6 +23,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
 #include <cca/robots/crossing.hpp>
 #include <cca/sim/robot/forces/tree_inertia.hpp>
@@ -131,7 +132,7 @@ private:
     for (std::size_t i = 0; i < model_->line_springs.size(); ++i) {
       const placed_spring& s = model_->line_springs[i];
       const Eigen::Vector3d from = tree.at(s.from).where.at, to = tree.at(s.to).where.at;
-      const double length = (to - from).norm();
+      const double length = math::norm(to - from);
       auto row = slopes_.col(coordinates_ + place(i));
       row.setZero();
       if (!(length > 0)) continue;
@@ -140,7 +141,7 @@ private:
       inertia_.slope(s.from.link, from, along, -1, row);
       for (std::size_t c = 0; c < levers_[i].size(); ++c)
         levers_[i][c] =
-            (inertia_.speed_of(s.to.link, to, c) - inertia_.speed_of(s.from.link, from, c)).norm();
+            math::norm(inertia_.speed_of(s.to.link, to, c) - inertia_.speed_of(s.from.link, from, c));
     }
     solver_.compute(inertia_.weights());
     half_ = slopes_;
@@ -183,7 +184,7 @@ private:
       const Eigen::Vector3d axis = turn * as_vector(l.axis);
       const auto eased = [](const Eigen::Matrix3d& inertia, const Eigen::Vector3d& a, bool any_way = false) {
         if (any_way) return 1 / Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues()[0];
-        return a.dot(inertia.llt().solve(a));
+        return math::dot(a, inertia.llt().solve(a).eval());
       };
       double all =
           l.kind == joint_kind::revolute ? eased(own, axis, at_joint.turns_above) : 1 / l.inertia.mass;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/sim/engine/engine.hpp>
 #include <cca/sim/robot/forces/coupled_joints.hpp>
 #include <cca/sim/robot/forces/drives_in_engine.hpp>
@@ -99,9 +100,9 @@ private:
   static line line_of(const placed_spring& s, const tree_in_engine& tree) {
     const moving_frame a = tree.at(s.from), b = tree.at(s.to);
     line l{a.where.at, b.where.at, b.where.at - a.where.at, 0, 0};
-    l.length = l.along.norm();
+    l.length = math::norm(l.along);
     l.along = l.length > 0 ? vector(l.along / l.length) : vector::Zero();
-    l.speed = (b.velocity - a.velocity).dot(l.along);
+    l.speed = math::dot(b.velocity - a.velocity, l.along);
     return l;
   }
 

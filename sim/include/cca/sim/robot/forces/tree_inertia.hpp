@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/sim/robot/tree/tree_in_engine.hpp>
 
 namespace cca::sim {
@@ -65,7 +66,7 @@ public:
     const Eigen::MatrixXd& j = jacobian(link);
     const vector turning = cca::detail::cross(at - centre(link), along);
     for (Eigen::Index k = 0; k < j.cols(); ++k)
-      row[k] += sign * (j.col(k).head<3>().dot(turning) + j.col(k).tail<3>().dot(along));
+      row[k] += sign * (math::dot(j.col(k).head<3>(), turning) + math::dot(j.col(k).tail<3>(), along));
   }
 
   void look_at(const tree_in_engine& tree) {
@@ -120,7 +121,7 @@ private:
       for (const Eigen::Index a : moving) {
         const vector turned = w * j.col(a).head<3>(), moved = mass(i) * j.col(a).tail<3>();
         for (const Eigen::Index b : moving)
-          weights_(b, a) += turned.dot(j.col(b).head<3>()) + moved.dot(j.col(b).tail<3>());
+          weights_(b, a) += math::dot(turned, j.col(b).head<3>()) + math::dot(moved, j.col(b).tail<3>());
       }
     }
   }

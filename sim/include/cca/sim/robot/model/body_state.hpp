@@ -5,6 +5,7 @@
 
 #include <ode/ode.h>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/sim/robot/model/saved_body.hpp>
 
@@ -50,7 +51,7 @@ inline double kinetic_energy(dBodyID body) {
   const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(body)),
                         w = turn.leftCols<3>().transpose() * Eigen::Vector3d::Map(dBodyGetAngularVel(body));
   const auto inertia = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.I);
-  return 0.5 * (m.mass * v.squaredNorm() + w.dot(inertia.leftCols<3>() * w));
+  return 0.5 * (m.mass * math::squared_norm(v) + math::dot(w, math::product(inertia.leftCols<3>(), w)));
 }
 
 inline double potential_energy(dBodyID body, double gravity) {

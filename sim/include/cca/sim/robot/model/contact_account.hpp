@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/sim/robot/model/robot_model.hpp>
 
 namespace cca::sim {
@@ -37,7 +38,8 @@ struct contact_account {
   }
   template <class Touch>  // touching.hpp
   void add(const Touch& t, double step) {
-    add(std::max(0.0, t.force.dot(t.normal)), t.slip.norm(), -t.force.dot(t.slip) * step, step);
+    add(std::max(0.0, math::dot(t.force, t.normal)), math::norm(t.slip), -math::dot(t.force, t.slip) * step,
+        step);
   }
 
   // Of several shapes; `touching` is that of the one that touched longest.

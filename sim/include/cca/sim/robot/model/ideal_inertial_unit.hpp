@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/robots/inertial.hpp>
 #include <cca/sim/engine/moving_frame.hpp>
 
@@ -17,8 +18,9 @@ inline robots::inertial_reading inertial_reading_of(const moving_frame& now,
   const Eigen::Matrix3d into_unit = now.where.turn.transpose();
   robots::inertial_reading r;
   Eigen::Vector4d::Map(r.orientation.data()) = cca::detail::quaternion_of(now.where.turn);
-  Eigen::Vector3d::Map(r.angular_velocity.data()) = into_unit * now.angular_velocity;
-  Eigen::Vector3d::Map(r.specific_force.data()) = into_unit * (change + Eigen::Vector3d(0, 0, gravity));
+  Eigen::Vector3d::Map(r.angular_velocity.data()) = math::product(into_unit, now.angular_velocity);
+  Eigen::Vector3d::Map(r.specific_force.data()) =
+      math::product(into_unit, change + Eigen::Vector3d(0, 0, gravity));
   return r;
 }
 

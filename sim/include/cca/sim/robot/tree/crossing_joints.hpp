@@ -2,6 +2,7 @@
 // (cca/robots/crossing.hpp), from the rotations of the bodies on both sides.
 #pragma once
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/mapping/kinematics.hpp>
 #include <cca/robot/dynamics/spatial_inertia.hpp>
@@ -24,8 +25,8 @@ inline crossing_angles crossing_of(const cca::detail::body_link& first,
   const Eigen::Matrix3d between = (below * turn_1).transpose() * above;
   const Eigen::Vector3d was_2 = turn_2 * axis_2, is_2 = between * axis_2;
   const Eigen::Vector3d was_1 = turn_2.transpose() * axis_1, is_1 = between.transpose() * axis_1;
-  return {math::atan2(axis_1.dot(cross(was_2, is_2)), was_2.dot(is_2)),
-          math::atan2(axis_2.dot(cross(is_1, was_1)), was_1.dot(is_1))};
+  return {math::atan2(math::dot(axis_1, cross(was_2, is_2)), math::dot(was_2, is_2)),
+          math::atan2(math::dot(axis_2, cross(is_1, was_1)), math::dot(was_1, is_1))};
 }
 
 }  // namespace cca::sim

@@ -26,6 +26,7 @@
 
 #include <ode/ode.h>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/robots/crossing.hpp>
 #include <cca/sim/engine/engine.hpp>
@@ -138,11 +139,11 @@ public:
     const vector axis = home.turn * cca::detail::as_vector(l.axis);
     if (l.kind == joint_kind::prismatic) {
       const vector arm = c.where.at - p.where.at;
-      return {((c.where.at - home.at).dot(axis) - l.rest) / l.ratio,
-              (c.velocity - p.velocity - cross(p.angular_velocity, arm)).dot(axis) / l.ratio};
+      return {(math::dot(c.where.at - home.at, axis) - l.rest) / l.ratio,
+              math::dot(c.velocity - p.velocity - cross(p.angular_velocity, arm), axis) / l.ratio};
     }
     const double angle = angle_about(l, home.turn.transpose() * c.where.turn);
-    return {(angle - l.rest) / l.ratio, (c.angular_velocity - p.angular_velocity).dot(axis) / l.ratio};
+    return {(angle - l.rest) / l.ratio, math::dot(c.angular_velocity - p.angular_velocity, axis) / l.ratio};
   }
 
   // Whether a joint is the one that its coordinate moves.
@@ -203,7 +204,8 @@ private:
     const crossing_angles now = crossing_of(a, b, turn_below(first), turn_of(body_above(first)));
     vector turning = vector::Map(dBodyGetAngularVel(body_above(first)));
     if (const dBodyID below = body_below(first)) turning -= vector::Map(dBodyGetAngularVel(below));
-    return {((i == first ? now.first : now.second) - l.rest) / l.ratio, turning.dot(axis_of(i)) / l.ratio};
+    return {((i == first ? now.first : now.second) - l.rest) / l.ratio,
+            math::dot(turning, axis_of(i)) / l.ratio};
   }
   // The frame of a link without a body.
   moving_frame between(std::size_t i) const {
@@ -286,7 +288,8 @@ private:
     const auto& leader = model_->links[static_cast<std::size_t>(l.parent)];
     const vector axis = Eigen::Map<const Eigen::Matrix3d>(l.turn.data()) * cca::detail::as_vector(l.axis);
     return l.coordinate == leader.coordinate && l.kind == joint_kind::revolute && leader.kind == l.kind &&
-           l.ratio == -1 && leader.ratio == 1 && (axis - cca::detail::as_vector(leader.axis)).norm() < 1e-12;
+           l.ratio == -1 && leader.ratio == 1 &&
+           math::norm(axis - cca::detail::as_vector(leader.axis)) < 1e-12;
   }
 
   // How far the link of such a hinge has turned from where it belongs, about its axis, rad.
@@ -301,7 +304,7 @@ private:
   // Of a rotation about the axis of a joint, from (-pi, pi].
   static double angle_about(const cca::detail::body_link& l, const Eigen::Matrix3d& m) {
     const vector twice_sine(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
-    return math::atan2(twice_sine.dot(cca::detail::as_vector(l.axis)), m.trace() - 1);
+    return math::atan2(math::dot(twice_sine, cca::detail::as_vector(l.axis)), math::trace(m) - 1);
   }
 
   dJointID parallel(dWorldID world, std::size_t i) const {

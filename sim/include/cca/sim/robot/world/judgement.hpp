@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/sim/robot/model/body_state.hpp>
 #include <cca/sim/robot/model/joint_law.hpp>
 #include <cca/sim/robot/model/plausible.hpp>
@@ -20,9 +21,9 @@ inline world_trouble look_at_body(
   const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(b)),
                         w = Eigen::Vector3d::Map(dBodyGetAngularVel(b)),
                         at = Eigen::Vector3d::Map(dBodyGetPosition(b));
-  const double speed = v.norm(), turning = w.norm(), own = kinetic_energy(b);
+  const double speed = math::norm(v), turning = math::norm(w), own = kinetic_energy(b);
   energy += own;
-  if (!std::isfinite(speed + turning + at.sum() + own)) return {implausible::number, name};
+  if (!std::isfinite(speed + turning + math::sum(at) + own)) return {implausible::number, name};
   if (speed > bounds.speed) return {implausible::speed, name, speed, bounds.speed};
   if (turning * step > bounds.turn) return {implausible::turning, name, turning, bounds.turn / step};
   if (energy > bounds.energy) return {implausible::energy, name, energy, bounds.energy};

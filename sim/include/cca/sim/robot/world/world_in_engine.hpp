@@ -18,6 +18,7 @@
 
 #include <ode/ode.h>
 
+#include <cca/base/math/reductions.hpp>
 #include <cca/sim/engine/checked_scene.hpp>
 #include <cca/sim/engine/engine.hpp>
 #include <cca/sim/engine/refused_number.hpp>
@@ -267,7 +268,7 @@ private:
       if (t.second_shape < 0) return;
       const auto second = static_cast<std::size_t>(t.second_shape);
       feel(*model_, tree_, touch{second, t.at, -t.force, -t.normal, -t.slip}, share, state_);
-      state_.contacts[second].add(std::max(0.0, t.force.dot(t.normal)), t.slip.norm(), 0, step_);
+      state_.contacts[second].add(std::max(0.0, math::dot(t.force, t.normal)), math::norm(t.slip), 0, step_);
     });
     dJointGroupEmpty(engine_.contacts());
     if (coupled_.exist()) {
