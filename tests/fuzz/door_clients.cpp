@@ -122,6 +122,7 @@ private:
                    .topic = topic,
                    .type = "a",
                    .schema = "",
+                   .metadata = {{"axes", "arm"}},
                    .is_kept = true});
   }
 

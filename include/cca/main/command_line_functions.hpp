@@ -37,12 +37,9 @@ CCA_MAIN_INLINE double number_in(const std::string& option,
                                  const std::string& text,
                                  double low,
                                  double high) {
-  std::size_t read = 0;
-  double value = 0;
-  try {
-    value = std::stod(text, &read);
-  } catch (const std::exception&) { read = 0; }
-  if (read == 0 || read != text.size() || !(value >= low && value <= high)) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);  // std::stod refuses 1e-320
+  if (end == text.c_str() || end != text.c_str() + text.size() || !(value >= low && value <= high)) {
     std::ostringstream expected;
     expected << option << ' ' << text << ": expected a number from " << low << " to " << high;
     throw command_line_error(expected.str());

@@ -128,7 +128,7 @@ export class DoorPanel {
     for (const one of $('parameters').querySelectorAll('input, select')) one.disabled = !may;
   }
   status() {
-    const { is_paused: isPaused, speed, mode, causes = [], stopped_parts: stopped, recording, environments, state } = this.door.door;
+    const { is_paused: isPaused, speed, mode, causes = [], stopped_parts: stopped, recording, recording_problem: problem, environments, state } = this.door.door;
     const set = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
     set('door-play', isPaused ? '▶ Go on' : '❚❚ Pause');
     const rests = state === 'loaded', isFaulted = state === 'faulted';
@@ -142,7 +142,8 @@ export class DoorPanel {
       if (![...$('door-speed').options].some((o) => o.value === text)) $('door-speed').append(new Option(text, text));
       $('door-speed').value = text;
     }
-    set('record', recording ? `■ end ${recording}` : '● record');
+    set('record', recording ? `■ end ${recording}${problem ? ', which is incomplete' : ''}` : '● record');
+    $('record').title = problem ?? '';
     $('record').setAttribute('aria-pressed', String(Boolean(recording)));
     for (const button of $('modes').querySelectorAll('button')) button.setAttribute('aria-pressed', String(button.value === mode));
     for (const button of $('parts').querySelectorAll('button')) {

@@ -1,6 +1,7 @@
 // What clients of a door change: parameters and services, and why not.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "opened.hpp"
@@ -52,6 +53,9 @@ TEST_CASE("A wrong value is refused with unit and range, and the old one goes ba
   };
   is_refused("gait.frequency", 9, 1.5, "9: expected a number from 0.1 to 5 Hz");
   is_refused("gait.frequency", 0.09, 1.5, "0.09: expected a number from 0.1 to 5 Hz");
+  is_refused("gait.frequency", 5.0000000001, 1.5, "5.0000000001: expected a number from 0.1 to 5 Hz");
+  is_refused("gait.frequency", std::nextafter(5, 6), 1.5,
+             "5.000000000000001: expected a number from 0.1 to 5 Hz");
   is_refused("gait.frequency", "2", 1.5, "\"2\": expected a number in Hz");
   is_refused("gait.frequency", nullptr, 1.5, "null: expected a value: a parameter can't be removed");
   is_refused("gait.steps", 10, 3, "10: expected a whole number from 1 to 9");
@@ -95,6 +99,17 @@ TEST_CASE("Of one request all is set, or nothing") {
   CHECK(one.controls.asked()[0].values.size() == 2);
 }
 
+TEST_CASE("What is set twice in one request is refused, with all the rest of it") {
+  commanding one;
+  one.c.text({{"op", "setParameters"},
+              {"id", "x"},
+              {"parameters", json::array({{{"name", "gait.frequency"}, {"value", 2}},
+                                          {{"name", "gait.steps"}, {"value", 4}},
+                                          {{"name", "gait.frequency"}, {"value", 3}}})}});
+  CHECK(one.c.is_told("setParameters: \"gait.frequency\" is set twice"));
+  CHECK(one.controls.asked().empty());
+}
+
 TEST_CASE("What the controller refuses is told with its reason") {
   commanding one;
   one.controls.answers(how::refused);
@@ -116,7 +131,7 @@ TEST_CASE("Every service asks for what its name says") {
   CHECK(asks("/cca/step", {{"beats", 12}}, about::step).number == 12);
   CHECK(asks("/cca/step", json::object(), about::step).number == 1);
   CHECK(asks("/cca/speed", {{"factor", 0.5}}, about::speed).number == 0.5);
-  CHECK(asks("/cca/speed", {{"factor", 0}}, about::speed).number == 0);
+  CHECK(asks("/cca/speed", {{"factor", 0.001}}, about::speed).number == 0.001);
   asks("/cca/resume", json::object(), about::resume);
   asks("/cca/start", json::object(), about::start);
   CHECK(asks("/cca/stop_part", {{"part", "arm"}}, about::stop_part).text == "arm");
@@ -145,10 +160,10 @@ TEST_CASE("A wrong call is refused, with the range and the unit") {
   CHECK(c.call("/cca/step", {{"beats", 0}}) == "/cca/step: beats = 0: expected a number from 1 to 1000000");
   CHECK(c.call("/cca/step", {{"beats", 1.5}}) ==
         "/cca/step: beats = 1.5: expected a whole number from 1 to 1000000");
-  CHECK(c.call("/cca/speed", {{"factor", -1}}) ==
-        "/cca/speed: factor = -1: expected a number from 0 to 1000");
+  CHECK(c.call("/cca/speed", {{"factor", 0}}) ==
+        "/cca/speed: factor = 0: expected a number from 0.001 to 1000");
   CHECK(c.call("/cca/speed", {{"factor", "1"}}) ==
-        "/cca/speed: factor = \"1\": expected a number from 0 to 1000");
+        "/cca/speed: factor = \"1\": expected a number from 0.001 to 1000");
   CHECK(c.call("/cca/command/push", {{"force", 50.1}}) ==
         "/cca/command/push: force = 50.1: expected a number from -50 to 50 N");
   CHECK(c.call("/cca/command/push", {{"power", 1}}) ==
@@ -160,7 +175,9 @@ TEST_CASE("A wrong call is refused, with the range and the unit") {
   for (const char* file : {"/etc/x.toml", "../x.toml", "a/../../x.toml", "x.txt", "x\n.toml", "..", "x.mcap"})
     CHECK(c.call("/cca/save", {{"file", file}})
               .find("expected a file below the folder in which the program runs") != std::string::npos);
-  CHECK(c.call("/cca/record", {{"file", "x.toml"}}).find("with the ending .mcap") != std::string::npos);
+  for (const char* file : {"x.toml", ".mcap", " .mcap", "a/.mcap", " a.mcap", "a/ b.mcap", "a/"})
+    CHECK(c.call("/cca/record", {{"file", file}}).find("with the ending .mcap") != std::string::npos);
+  CHECK(c.call("/cca/save", {{"file", ".toml"}}).find("with the ending .toml") != std::string::npos);
   for (const char* service : {"/cca/load", "/cca/save", "/cca/record"})
     CHECK(c.call(service).find("say which file: expected a file below the folder") != std::string::npos);
   CHECK(c.call("/cca/undo") == "/cca/undo: nothing was changed");

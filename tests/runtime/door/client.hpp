@@ -40,13 +40,15 @@ bool soon(Function&& holds, std::chrono::milliseconds most = 3000ms) {
 
 class raw_connection {
 public:
-  explicit raw_connection(std::uint16_t port, int receive_buffer = 0)
+  explicit raw_connection(std::uint16_t port,
+                          int receive_buffer = 0,
+                          const std::string& address = "127.0.0.1")
       : file(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     if (receive_buffer > 0) ::setsockopt(file, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_port = htons(port);
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ::inet_pton(AF_INET, address.c_str(), &to.sin_addr);
     is_connected = ::connect(file, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
     const int yes = 1;
     ::setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);

@@ -70,6 +70,10 @@ public:
   std::vector<cca::detail::door_environment> environments() const override {
     return {{.name = "main", .beats = 7}};
   }
+  std::string recording_problem() const override {
+    const std::scoped_lock lock(guard);
+    return state.recording_problem;
+  }
   std::optional<std::vector<cca::detail::door_parameter>> parameters() override {
     const std::scoped_lock lock(guard);
     if (answer == how::busy) return {};
@@ -116,6 +120,10 @@ public:
   std::vector<std::string> noted() const {
     const std::scoped_lock lock(guard);
     return notes;
+  }
+  void recording_fails(const std::string& why) {
+    const std::scoped_lock lock(guard);
+    state.recording_problem = why;
   }
   bool was_asked(about what, const std::string& name = "") const {
     const auto all = asked();

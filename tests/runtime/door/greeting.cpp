@@ -1,11 +1,16 @@
 // The greeting of a door: who is let in, and what the page is served with.
 #include <doctest/doctest.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include <cca/base/refused.hpp>
+#include <cca/door/network/connection.hpp>
 
 #include "opened.hpp"
 
@@ -23,6 +28,22 @@ std::string answer_to_text(std::uint16_t port, const std::string& text) {
   wire.send(text);
   wire.comes("\r\n");
   return wire.received.substr(0, wire.received.find('\r'));
+}
+// What is printed meanwhile.
+template <class Function>
+std::string printed(Function&& function) {
+  const std::string name = "door_printed.txt";
+  std::fflush(stdout);
+  const int before = ::dup(1), file = ::open(name.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+  ::dup2(file, 1);
+  function();
+  std::fflush(stdout);
+  ::dup2(before, 1);
+  ::close(before), ::close(file);
+  std::ifstream in(name);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::remove(name.c_str());
+  return text;
 }
 const std::string let_in = "HTTP/1.1 101 Switching Protocols", forbidden = "HTTP/1.1 403 Forbidden";
 
@@ -176,4 +197,62 @@ TEST_CASE("A door that can't be opened is refused with the reason") {
   CHECK(why({.port = 0, .address = "robot"}).find("robot: it is no address") != std::string::npos);
   CHECK(why({.port = 0, .address = "192.0.2.1"}).find("192.0.2.1:0") != std::string::npos);
   CHECK(why({.port = 0, .page = "not_there.html"}).find("not_there.html can't be read") != std::string::npos);
+}
+
+TEST_CASE("A door that listens everywhere prints an address at which it is reached") {
+  const std::string name = "door_page.html";
+  std::ofstream(name) << "<!doctype html>";
+  fake_controls controls;
+  for (const std::string address : {"0.0.0.0", "127.0.0.1"}) {
+    CAPTURE(address);
+    std::string once;
+    std::uint16_t port = 0;
+    bool is_let_in = false;
+    std::string host;
+    const std::string text = printed([&] {
+      const cca::detail::door_server door(
+          {.port = 0, .address = address, .token = token, .tells_where = true, .page = name}, controls);
+      std::fflush(stdout);
+      std::ifstream in("door_printed.txt");
+      const std::string told{std::istreambuf_iterator<char>(in), {}};
+      port = door.port();
+      once = door.one_time_url();
+      const std::string before = "door: http://";
+      const auto at = told.find(before);
+      if (at == told.npos) return;
+      host = told.substr(at + before.size());
+      host = host.substr(0, host.find('/'));
+      raw_connection wire(port, 0, host.substr(0, host.find(':')));
+      wire.send(greeting_of(port, {.host = host}));
+      is_let_in = wire.comes(let_in);
+    });
+    CAPTURE(text);
+    CHECK(is_let_in);
+    CHECK(text.find("0.0.0.0") == std::string::npos);
+    CHECK(host.ends_with(":" + std::to_string(port)));
+    CHECK(text.starts_with("door: ws://" + host + ", token " + token + "\n"));
+    CHECK(text.find("door: http://" + host + "/#token=" + token + "\n") != std::string::npos);
+    CHECK(once.starts_with("ws://" + host + "/?once="));
+    if (address == "127.0.0.1") CHECK(host.starts_with("127.0.0.1:"));
+  }
+  std::remove(name.c_str());
+}
+
+TEST_CASE("An address that is stated is told as it is, one of everywhere as those of the machine") {
+  using cca::detail::door_network::seen_at;
+  using cca::detail::door_network::tcp;
+  const auto at = [](const char* address) {
+    return seen_at(tcp::endpoint(boost::asio::ip::make_address(address), 8765));
+  };
+  CHECK(at("10.1.2.3") == std::vector{tcp::endpoint(boost::asio::ip::make_address("10.1.2.3"), 8765)});
+  for (const char* everywhere : {"0.0.0.0", "::"}) {
+    const auto all = at(everywhere);
+    REQUIRE_FALSE(all.empty());
+    for (const auto& one : all) {
+      CHECK(one.port() == 8765);
+      CHECK_FALSE(one.address().is_unspecified());
+      CHECK(one.address().is_v6() == (std::string(everywhere) == "::"));
+      if (all.size() > 1) CHECK_FALSE(one.address().is_loopback());
+    }
+  }
 }

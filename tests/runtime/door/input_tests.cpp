@@ -133,7 +133,8 @@ TEST_CASE("input tests: a sine through a door") {
   tuned_axis r;
   client c(r.door.port(), r.door.token());
   REQUIRE(c.call("/cca/take_command") == "");
-  const json sine = with(with(chirp(4), "signal", "sine"), "frequency", 3);
+  json sine = with(with(chirp(4), "signal", "sine"), "frequency", 3);
+  sine["axis"] = sine["output_axis"] = "arm";  // a name is as good as a number
   std::string said;
   c.waits([&] { return (said = c.call("/cca/test", sine)).empty(); });
   REQUIRE(said == "");
@@ -166,9 +167,15 @@ TEST_CASE("input tests: what is no test is refused, and says why") {
   refused("frequency", 0, "from 0.001");
   refused("duration", 0, "expected a number from");
   refused("duration", 1e9, "expected a number from");
-  refused("axis", 1, "axis");
-  refused("axis", 0.5, "axis");
-  refused("output_axis", -1, "output_axis");
+  refused("axis", 1, "axis = 1: expected an axis: arm, or its number, a whole number from 0 to 0");
+  refused("axis", 0.5, "axis = 0.5: expected an axis");
+  refused("axis", "elbow", "axis = \"elbow\": expected an axis: arm");
+  refused("output_axis", -1, "output_axis = -1: expected an axis of drive.angle: arm, or its number");
+  refused("output_axis", 1,
+          "output_axis = 1: expected an axis of drive.angle: arm, or its number, a whole number from 0 to 0");
+  refused("output_axis", 99, "output_axis = 99: expected an axis");
+  refused("output_axis", "elbow", "output_axis = \"elbow\": expected an axis of drive.angle: arm");
+  refused("output_axis", nullptr, "output_axis = null: expected an axis");
   refused("signal", "square", "signal = \"square\": expected step, sine, chirp or linear_chirp");
   refused("signal", "off", "expected step");
   refused("signal", nullptr, "expected step");
@@ -178,6 +185,9 @@ TEST_CASE("input tests: what is no test is refused, and says why") {
   refused("input", "servo.measured", "that a cca::test_input declares: servo.reference");
   refused("output", "drive.speed", "expected the path of an output");
   refused("from", "limits.unsafe", "expected the path of an output");
+  refused("output", "cca.state", "expected the path of an output");  // it has no axes
+  const std::string from = c.call("/cca/test", with(with(chirp(), "from", "limits.safe"), "from_axis", 2));
+  CHECK(from.find("from_axis = 2: expected an axis of limits.safe: arm") != std::string::npos);
   c.wire.send(door_test::frame_of(0x82, client::bytes_of_call(0, 1, "{}")));
   CHECK(c.call("/cca/end_test").find("no test runs") != std::string::npos);
   CHECK(other.call("/cca/test", chirp()).find("token") != std::string::npos);
@@ -290,7 +300,8 @@ TEST_CASE("input tests: without a whole record there is no answer, and the reaso
   namespace network = cca::detail::door_network;
   network::wanted_channels wanted;
   network::shown_channels channels(wanted);
-  channels.add({.id = 1, .topic = "/drive/angle", .type = "cca.angle", .schema = "{}"});
+  channels.add(
+      {.id = 1, .topic = "/drive/angle", .type = "cca.angle", .schema = "{}", .metadata = {{"axes", "arm"}}});
   const std::vector<cca::detail::door_test_input> inputs{
       {.input = "servo.reference", .node = "test_servo_reference", .axes = {"axis"}, .most = 0.2}};
   network::input_test test;

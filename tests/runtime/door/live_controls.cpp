@@ -1,9 +1,13 @@
 // What a door asks is done on a controller that runs, or refused with the reason: without a network.
 #include <doctest/doctest.h>
 
+#include <signal.h>
+#include <sys/resource.h>
+
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -125,6 +129,21 @@ struct rig {
   cca::live_access<Controller> live;
   cca::recording::recorder<Controller> recorder;
   cca::detail::live_controls<Controller> controls;
+};
+
+// A disk that is full after the head of a recording.
+struct small_files {
+  small_files() {
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{1000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~small_files() {
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    ::signal(SIGXFSZ, handler);
+  }
+  void (*handler)(int) = ::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
 };
 
 door_value number(double value) { return {.number = value}; }
@@ -288,6 +307,34 @@ TEST_CASE("door: a file begins and ends while the controller runs") {
     for (const auto& [name, entries] : read.metadata()) has_end = has_end || name == "cca.end";
     CHECK(has_end);
   }
+}
+
+TEST_CASE("door: a file that can't be written any more is told, also at its end, and the next one is whole") {
+  const record_test::temporary_file full("full"), next("next");
+  rig<controller> r;
+  r.beside([&] {
+    std::optional<small_files> disk(std::in_place);
+    CHECK(r.ask({.about = what::record, .text = full.path}).is == how::done);
+    wait_until([&] { return !r.controls.recording_problem().empty(); });
+    const std::string problem = r.controls.recording_problem();
+    CHECK(problem ==
+          full.path + " can't be written: File too large; up to there it is in " + full.path + ".part");
+    CHECK(r.controls.status().recording == full.path);
+    CHECK(r.controls.status().recording_problem == problem);
+    const door_outcome ended = r.ask({.about = what::end_recording});
+    CHECK(ended.is == how::refused);
+    CHECK(ended.why == "the recording has ended, and is incomplete: " + problem);
+    disk.reset();
+    CHECK(r.controls.status().recording == "");
+    CHECK(r.controls.status().recording_problem == "");
+    CHECK(r.ask({.about = what::record, .text = next.path}).is == how::done);
+    const std::int64_t k = r.controls.status().beat;
+    wait_until([&] { return r.controls.status().beat > k + 50; });
+    CHECK(r.controls.status().recording_problem == "");
+    CHECK(r.ask({.about = what::end_recording}).is == how::done);
+  });
+  r.recorder.close();
+  CHECK(r.recorder.problem().find(full.path) == 0);  // the program's exit code knows of the first
 }
 
 TEST_CASE("door: a program's own commands, held and released") {

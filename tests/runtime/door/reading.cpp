@@ -327,6 +327,24 @@ TEST_CASE("Refusals don't drive changes out of the log, nor the other way round"
   CHECK(second[16].starts_with("set gait.frequency from "));
 }
 
+TEST_CASE("A recording that can't be written any more is told once, to those who may read, and logged") {
+  opened one;
+  client c(one.port());
+  one.controls.recording_fails("f.mcap can't be written: No space left on device");
+  CHECK(c.is_told("the recording is incomplete: f.mcap can't be written: No space left on device", 1000ms));
+  CHECK_FALSE(c.is_told("the recording is incomplete", 300ms));
+  CHECK(c.channel("/cca/log") == 60002);
+  c.subscribe(1, 60002);
+  c.subscribe(2, 60001);
+  CHECK(sample_of(c, 1, "what")["what"] ==
+        "the recording is incomplete: f.mcap can't be written: No space left on device");
+  CHECK(sample_of(c, 2, "state")["recording_problem"] == "f.mcap can't be written: No space left on device");
+  one.controls.recording_fails("");
+  CHECK_FALSE(c.is_told("the recording is incomplete", 300ms));
+  one.controls.recording_fails("f.mcap can't be written: No space left on device");
+  CHECK(c.is_told("the recording is incomplete", 1000ms));
+}
+
 TEST_CASE("Parameters are read, all or by name") {
   opened one;
   client c(one.port());

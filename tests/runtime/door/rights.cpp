@@ -42,7 +42,12 @@ struct testable {
   testable() {
     std::uint16_t id = 0;
     for (const char* topic : {"/robot/angles", "/test_servo_reference/excitation"})
-      door.sink().channel({.id = ++id, .topic = topic, .type = "a", .schema = "", .is_kept = true});
+      door.sink().channel({.id = ++id,
+                           .topic = topic,
+                           .type = "a",
+                           .schema = "",
+                           .metadata = {{"axes", "arm"}},
+                           .is_kept = true});
   }
   std::uint16_t port() const { return door.port(); }
   std::string signal() {
@@ -490,12 +495,23 @@ TEST_CASE("The file of a token is this user's alone") {
   std::remove(name.c_str());
   CHECK(why_no_token({.token_file = name}).find("No such file") != std::string::npos);
   std::ofstream(name) << token << "\n";
-  ::chmod(name.c_str(), 0644);
-  CHECK(why_no_token({.token_file = name}).find("chmod 600 " + name) != std::string::npos);
-  ::chmod(name.c_str(), 0660);
-  CHECK(why_no_token({.token_file = name}).find("chmod 600 " + name) != std::string::npos);
-  ::chmod(name.c_str(), 0600);
-  CHECK(why_no_token({.token_file = name}).empty());
+  for (const auto& [mode, text] : {std::pair(0644, "644"),
+                                   {0640, "640"},
+                                   {0604, "604"},
+                                   {0660, "660"},
+                                   {0620, "620"},
+                                   {0601, "601"},
+                                   {0610, "610"},
+                                   {0444, "444"}}) {
+    ::chmod(name.c_str(), static_cast<mode_t>(mode));
+    CHECK(why_no_token({.token_file = name}) ==
+          "the token's file " + name + " has mode " + text +
+              ", so not only its owner has access to it: run `chmod 600 " + name + "`");
+  }
+  for (const mode_t mode : {0400, 0700, 0500, 0600}) {
+    ::chmod(name.c_str(), mode);
+    CHECK(why_no_token({.token_file = name}).empty());
+  }
   {
     fake_controls controls;
     const cca::detail::door_server door({.port = 0, .token_file = name, .tells_where = false}, controls);

@@ -248,6 +248,13 @@ TEST_CASE("no server, a server that is killed, one that does not take the reques
   const ran nobody = call(port, {"get"});
   CHECK_EQ(nobody.code, 3);
   CHECK_EQ(nobody.err, "cca-call: 127.0.0.1:" + port + ": nobody listens there\n");
+  // What is wrong in the command line is refused before it connects.
+  for (const words& wrong : {words{"set", "gait.steps"},
+                             {"command", "push", "force"},
+                             {"speed", "0"},
+                             {"test", "servo.reference", "drive.angle", "step", "amplitude=nan"},
+                             {"test", "servo.reference", "drive.angle", "step", "amplitude"}})
+    CHECK_EQ(call(port, wrong).code, 2);
 
   played_program p;
   p.controls.fake.answers(how::begun);  // and no beat takes it
@@ -277,6 +284,6 @@ TEST_CASE("a wrong command line is refused before anything is connected") {
   CHECK_EQ(running(CCA_CALL, {"8765", "step", "-3"}).end().err,
            "cca-call: step -3: expected a whole number from 1 to 1000000\n");
   CHECK_EQ(running(CCA_CALL, {"8765", "speed", "-1"}).end().err,
-           "cca-call: speed -1: expected a number from 0 to 1000\n");
+           "cca-call: speed -1: expected a number from 0.001 to 1000\n");
   CHECK_NE(running(CCA_CALL, {"--help"}).end().out.find("set NAME VALUE ..."), std::string::npos);
 }

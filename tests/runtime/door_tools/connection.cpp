@@ -183,14 +183,23 @@ TEST_CASE("a token comes from an option, a file or the environment") {
   CHECK_EQ(token_option{}.value(), "");
 }
 
-TEST_CASE("an axis goes by its name, or by its number") {
-  const std::vector<std::string> two{"shoulder", "elbow"};
-  CHECK_EQ(axis_in("axis", "elbow", two), json(1));
-  CHECK_EQ(axis_in("axis", "shoulder", two), json(0));
-  CHECK_EQ(axis_in("axis", "7", two), json(7));  // the door knows how many there are
-  CHECK_THROWS_WITH(axis_in("from_axis", "wrist", two),
-                    "from_axis = wrist: expected an axis: shoulder, elbow");
-  CHECK_THROWS_WITH(axis_in("axis", "-1", {}), "axis = -1: expected an axis, by its number from 0 on");
+TEST_CASE("the arguments of a test are numbers, paths, and axes by name or number") {
+  const auto arguments = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {"servo.reference", "drive.angle", "sine"});
+    return arguments_of_test(call_options{.words = std::move(words)});
+  };
+  CHECK_EQ(arguments({"axis=elbow", "output_axis=7", "from=limits.safe", "from_axis=", "amplitude=-1e-320"}),
+           json{{"input", "servo.reference"},
+                {"output", "drive.angle"},
+                {"signal", "sine"},
+                {"axis", "elbow"},
+                {"output_axis", 7},  // the door knows how many there are
+                {"from", "limits.safe"},
+                {"from_axis", ""},
+                {"amplitude", -1e-320}});
+  for (const char* wrong :
+       {"amplitude=nan", "amplitude=inf", "amplitude=1e999", "amplitude=", "amplitude", "=1", "to=1 Hz"})
+    CHECK_THROWS_AS(arguments({wrong}), cca::command_line_error);
 }
 
 TEST_CASE("what is typed becomes a value, or is refused with unit and range") {

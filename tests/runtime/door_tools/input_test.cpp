@@ -110,10 +110,13 @@ TEST_CASE("cca-call test says why a test is refused, and leaves nothing behind")
   refused({in, to, "step", "amplitude=nan"}, "cca-call: amplitude");
   refused({in, to, "square"}, "signal = \"square\": expected step, sine, chirp or linear_chirp");
   refused({in, to, "step", "amplitud=0.1"}, "it has no argument \"amplitud\", only axis amplitude");
-  refused({in, to, "step", "amplitude=0.1", "axis=elbow"}, "axis = elbow: expected an axis: arm");
+  refused({in, to, "step", "amplitude=0.1", "axis=elbow"}, "axis = \"elbow\": expected an axis: arm, or");
   refused({in, to, "step", "amplitude=0.1", "output_axis=elbow"},
-          "output_axis = elbow: expected an axis: arm");
-  refused({in, to, "step", "amplitude=0.1", "axis=1"}, "axis = 1: expected a whole number from 0 to 0");
+          "output_axis = \"elbow\": expected an axis of drive.angle: arm, or");
+  refused({in, to, "step", "amplitude=0.1", "output_axis=1"},
+          "output_axis = 1: expected an axis of drive.angle: arm, or its number, a whole number from 0 to 0");
+  refused({in, to, "step", "amplitude=0.1", "axis=1"},
+          "axis = 1: expected an axis: arm, or its number, a whole number from 0 to 0");
   refused({in, "drive", "step", "amplitude=0.1"},
           "output = \"drive\": expected the path of an output, did you mean "
           "`drive.angle`?");

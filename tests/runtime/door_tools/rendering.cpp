@@ -235,6 +235,16 @@ TEST_CASE("of 300 outputs only those on the screen are subscribed") {
   CHECK_EQ(p.view.row_count(p.model), 303);
 }
 
+TEST_CASE("a recording that can't be written any more has a line of its own") {
+  shown_program p;
+  CHECK_EQ(p.line_with("INCOMPLETE"), "");
+  json status = status_json();
+  status["recording_problem"] = "trot.mcap can't be written: No space left on device";
+  p.status(status);
+  CHECK_EQ(p.line_with("INCOMPLETE"),
+           "RECORDING INCOMPLETE trot.mcap can't be written: No space left on device");
+}
+
 TEST_CASE("names longer than their columns keep their end, and no line is too wide") {
   shown_program p(3, "/a_component_with_a_name/that_does_not_fit/into_any_column_of_a_terminal/number_");
   CHECK(p.line_with("number_1").starts_with("~"));

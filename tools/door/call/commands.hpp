@@ -61,8 +61,8 @@ inline std::vector<std::pair<std::string, std::string>> assignments_in(
   return all;
 }
 
-inline void set(conversation& door, const call_options& o) {
-  const auto given = assignments_in(o.words);
+using assignments = std::vector<std::pair<std::string, std::string>>;
+inline void set(conversation& door, const assignments& given) {
   const auto all = parameters_of(door.describe());
   json values = json::array();
   for (const auto& [name, text] : given)
@@ -196,7 +196,10 @@ inline void watch(conversation& door, const call_options& o, std::ostream& out, 
 }
 
 // While it is held nothing else happens; the effect ends with this call, however it ends.
-inline void command(conversation& door, const call_options& o, std::ostream& error) {
+inline void command(conversation& door,
+                    const call_options& o,
+                    const assignments& given,
+                    std::ostream& error) {
   const std::string& name = o.words[0];
   const json described = door.describe();
   json of;
@@ -212,7 +215,7 @@ inline void command(conversation& door, const call_options& o, std::ostream& err
   const bool is_held = is_set(of, "held");
   if (o.hold_for && !is_held) throw cca::refused("--for: " + name + " is not held, it ends by itself");
   json arguments = json::object();
-  for (const auto& [argument, text] : assignments_in({o.words.begin() + 1, o.words.end()})) {
+  for (const auto& [argument, text] : given) {
     parameter as{.path = argument, .kind = "number"};
     for (const json& one : list_in(of, "arguments"))
       if (text_in(one, "name") == argument) as.unit = text_in(one, "unit");
@@ -242,10 +245,11 @@ inline std::pair<std::string, json> service_of(const call_options& o) {
     if (w.size() > 1) all["scope"] = w[1];
     return all;
   };
+  if (c == "test") return {"/cca/test", arguments_of_test(o)};
   if (c == "go-on") return {"/cca/go_on", json::object()};
   if (c == "step")
     return {"/cca/step", {{"beats", w.empty() ? 1 : cca::whole_number_in("step", w[0], 1, 1'000'000)}}};
-  if (c == "speed") return {"/cca/speed", {{"factor", cca::number_in("speed", w[0], 0, 1000)}}};
+  if (c == "speed") return {"/cca/speed", {{"factor", cca::number_in("speed", w[0], 1e-3, 1000)}}};
   if (c == "mode") return {"/cca/switch_mode", {{"mode", word(0)}}};
   if (c == "start" && !w.empty()) return {"/cca/start_part", {{"part", word(0)}}};
   if (c == "stop" && !w.empty()) return {"/cca/stop_part", {{"part", word(0)}}};
@@ -258,19 +262,23 @@ inline std::pair<std::string, json> service_of(const call_options& o) {
 inline int run_call(call_options& o, std::ostream& out, std::ostream& error) {
   o.split();
   const std::string token = o.token.value();
-  const auto [service, arguments] = service_of(o);  // before it connects: what is wrong is refused first
-  const cca::interruption signals;
+  // Before it connects: what is wrong is refused first.
   const std::string& c = o.command;
+  const auto [service, arguments] = service_of(o);
+  const assignments given = c == "set"       ? assignments_in(o.words)
+                            : c == "command" ? assignments_in({o.words.begin() + 1, o.words.end()})
+                                             : assignments();
+  const cca::interruption signals;
   try {
     conversation door(o.door, token, signals,
                       std::chrono::milliseconds(static_cast<std::int64_t>(o.answers_within * 1000)));
     if (c == "get") get(door, o, out);
-    else if (c == "set") set(door, o);
+    else if (c == "set") set(door, given);
     else if (c == "status") status(door, o, out);
     else if (c == "describe") describe(door, o, out);
     else if (c == "watch") watch(door, o, out, error);
-    else if (c == "command") command(door, o, error);
-    else if (c == "test") test(door, o, out);
+    else if (c == "command") command(door, o, given, error);
+    else if (c == "test") test(door, arguments, o.json, out);
     else if (c == "stop" && o.words.empty()) {  // whoever commands
       door.need_token("to stop the run");
       door.call(service, arguments);

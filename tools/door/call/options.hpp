@@ -49,7 +49,7 @@ inline constexpr call_command call_commands[] = {
     {"pause", "", "the loop waits; the robot's loop goes on where it must", 0, 0},
     {"go-on", "", "ends a pause", 0, 0},
     {"step", "[BEATS]", "so many beats of a run that is paused (1)", 0, 1},
-    {"speed", "FACTOR", "times the clock; 0: a fast run", 1, 1},
+    {"speed", "FACTOR", "times the clock, 0.001 to 1000, of a wall-clock run", 1, 1},
     {"mode", "MODE", "switches to another mode", 1, 1},
     {"stop", "[PART]", "ends the run, whoever commands; with PART stops that part", 0, 1},
     {"start", "[PART]",

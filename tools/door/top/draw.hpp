@@ -172,6 +172,8 @@ private:
       third.add("  " + std::to_string(clients) + (clients == 1 ? " client" : " clients"));
     if (const std::string file = text_in(model.status, "recording"); !file.empty())
       third.add("  recording " + file);
+    if (const std::string problem = text_in(model.status, "recording_problem"); !problem.empty())
+      line().add("RECORDING INCOMPLETE " + problem, style::alarm);
 
     const std::string fault = text_in(model.status, "fault"), path = text_in(model.status, "fault_path");
     if (!fault.empty() || !path.empty())

@@ -65,6 +65,7 @@ struct door_status {
   double speed = 1;                           // times the clock; 0: in a fast run
   std::string mode{}, fault{}, fault_path{};  // empty: none
   std::string recording{};                    // the file; empty: none
+  std::string recording_problem{};            // why nothing more comes into it; empty: all is well
   std::vector<std::string> stopped_parts{};
   // Where there is no beat, after a fault or in a pause: what components say has stopped the robot, the first
   // cause first.
@@ -124,6 +125,8 @@ public:
   virtual const door_description& description() const = 0;
   virtual door_status status() const = 0;
   virtual std::vector<door_environment> environments() const = 0;
+  // Why nothing more comes into the file of the recording; empty: all is well. It asks no beat.
+  virtual std::string recording_problem() const { return {}; }
   // All, in the order of the graph. Empty: busy, ask again later.
   virtual std::optional<std::vector<door_parameter>> parameters() = 0;
 

@@ -88,8 +88,10 @@ public:
       if (live.beat_index() == told_at) now.causes = causes;
     }
     now.recording = recorded.recorded_into();
+    now.recording_problem = recording_problem();
     return now;
   }
+  std::string recording_problem() const override { return recorded.problem_of_file(); }
 
   std::vector<door_environment> environments() const override {
     std::vector<door_environment> all;
@@ -299,7 +301,9 @@ private:
       case what::record:
         return recorded.begin_file(request.text);
       case what::end_recording:
-        return recorded.end_file();
+        if (const std::string why = recorded.end_file(); !why.empty())
+          throw refused("the recording has ended, and is incomplete: " + why);
+        return;
       default: {
         const std::scoped_lock lock(guard);
         if (cause_of_end.empty()) cause_of_end = request.text;  // before the loop can end

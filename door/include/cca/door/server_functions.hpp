@@ -315,12 +315,15 @@ CCA_DOOR_INLINE door_server::door_server(const door_settings& settings,
                                          const door_limits& limits)
     : in(std::make_unique<inside>(settings, controls, limits)) {
   if (!settings.tells_where) return;
-  const std::string where = door_network::text_of(in->acceptor.local_endpoint());
+  const auto seen = door_network::seen_at(in->acceptor.local_endpoint());
+  const std::string where = door_network::text_of(seen[0]);
   const bool is_in_file = !settings.token_file.empty();
   std::printf("door: ws://%s, token %s\n", where.c_str(),
               is_in_file ? ("in " + settings.token_file).c_str() : in->token.c_str());
   if (!in->page.empty())  // what stands behind # stays in the browser
     std::printf("door: http://%s/%s\n", where.c_str(), is_in_file ? "" : ("#token=" + in->token).c_str());
+  for (std::size_t i = 1; i < seen.size(); ++i)
+    std::printf("door: also at %s\n", door_network::text_of(seen[i]).c_str());
   if (!settings.origins.empty())  // a viewer of others, which knows only a URL
     std::printf("door: for one viewer, once: %s\n", one_time_url().c_str());
   std::fflush(stdout);
@@ -330,9 +333,8 @@ CCA_DOOR_INLINE recording::message_sink& door_server::sink() { return in->box; }
 CCA_DOOR_INLINE std::uint16_t door_server::port() const { return in->port; }
 CCA_DOOR_INLINE std::string door_server::token() const { return in->token; }
 CCA_DOOR_INLINE std::string door_server::one_time_url() const {
-  door_network::tcp::endpoint seen(boost::asio::ip::make_address(in->settings.address), in->port);
-  if (seen.address().is_unspecified()) seen.address(boost::asio::ip::address_v4::loopback());
-  return "ws://" + door_network::text_of(seen) + "/?once=" + in->keys.make();
+  const auto seen = door_network::seen_at(in->acceptor.local_endpoint());
+  return "ws://" + door_network::text_of(seen[0]) + "/?once=" + in->keys.make();
 }
 
 }  // namespace cca::detail

@@ -18,7 +18,7 @@ struct door_settings {
   std::uint16_t port = 8765;  // 0: any that is free; `door.port()` tells
   std::string address = "127.0.0.1";
   // What a client must know to change anything. Empty: made at random, and printed with the address. A file
-  // must belong to this user, with mode 600.
+  // must belong to this user, and nobody else may have access to it (mode 600 or 400).
   std::string token{}, token_file{};
   std::vector<std::string> origins{};  // pages of other addresses that may connect: `https://lab.example`
   when_lost on_lost = when_lost::go_on;

@@ -103,7 +103,7 @@ public:
 
   // A file from now on, and its end. From any thread. Refused: a second file, and to end none. A file that
   // begins after the first beat can be looked at, not replayed. It ends after a whole beat of all loops, if
-  // they reach one within a second.
+  // they reach one within a second; end_file() returns why it is incomplete, empty: it is whole.
   void begin_file(const std::string& name) {
     const std::scoped_lock lock(guard_of_file);
     if (file) throw refused("cca::record: " + name + " is refused: " + file_name + " is being recorded");
@@ -111,17 +111,23 @@ public:
     file_name = name;
     outlets.add(*file);
   }
-  void end_file() {
+  std::string end_file() {
     std::unique_lock lock(guard_of_file);
     if (!file) throw refused("cca::record: nothing is being recorded into a file");
     ends_file.store(true, std::memory_order_release);  // the thread that writes knows where a beat ends
     if (writer.joinable()) file_ended.wait_for(lock, std::chrono::seconds(1), [this] { return !file; });
     if (file) end_file_in_order();
+    return why_incomplete;
   }
   // Empty: none.
   std::string recorded_into() const {
     const std::scoped_lock lock(guard_of_file);
     return file ? file_name : std::string();
+  }
+  // Why nothing more comes into that file; empty: all is well, or there is none.
+  std::string problem_of_file() const {
+    const std::scoped_lock lock(guard_of_file);
+    return file ? file->problem() : std::string();
   }
 
   // What the program wants to say about this run, as a seed: metadata of this name.
@@ -156,7 +162,7 @@ public:
     for (const auto* one : sources) lost += one->lost_events();
     return lost;
   }
-  // Why nothing more is written; empty: all is well.
+  // Why a file, this one or an earlier one, is incomplete; empty: all is well.
   std::string problem() const {
     const std::scoped_lock lock(guard_of_file);
     return file && !file->problem().empty() ? file->problem() : what_failed;
@@ -224,7 +230,8 @@ private:
       file->metadata("cca.lost_events", {{"count", std::to_string(events_lost)}});
     file->metadata("cca.end", {{"lost_beats", std::to_string(lost_beats())}});
     file->close();
-    if (what_failed.empty()) what_failed = file->problem();
+    why_incomplete = file->problem();
+    if (what_failed.empty()) what_failed = why_incomplete;
     file.reset();
     ends_file.store(false, std::memory_order_relaxed);
     is_marked.store(false, std::memory_order_relaxed);
@@ -286,10 +293,10 @@ private:
   std::int64_t end = -1, last_beat = -1;  // last_beat: of which a sample was written
   bool is_closed = false, is_discarded = false;
   std::atomic<bool> is_closing{false}, ends_file{false}, is_marked{false};
-  mutable std::mutex guard, guard_of_file;  // of notes; of file, its name and what_failed: never the loops'
+  mutable std::mutex guard, guard_of_file;  // of notes; of file, its name and problems: never the loops'
   std::condition_variable wake, file_ended;
   std::vector<std::pair<std::string, detail::text_map>> notes;
-  std::string what_failed;
+  std::string what_failed, why_incomplete;  // the first file that failed; the last file that has ended
   std::thread writer;
 };
 
@@ -306,8 +313,9 @@ public:
   void add(message_sink&) {}
   void remove(message_sink&) {}
   void begin_file(const std::string&) {}
-  void end_file() {}
+  std::string end_file() { return {}; }
   std::string recorded_into() const { return {}; }
+  std::string problem_of_file() const { return {}; }
   void note(const std::string&, const std::map<std::string, std::string>&) {}
   void note(const std::string&, const std::string&) {}
   void close() {}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,9 @@ inline void hub::set_parameters(door_client& c, const json& m, time_point now) {
   };
   std::string why = why_not(c, true);
   if (why.empty() && !is_list) why = "expected a list `parameters` of objects with name and value";
+  std::set<std::string> names;
+  for (const auto& one : wanted)
+    if (why.empty() && !names.insert(one.first).second) why = text_of(one.first) + " is set twice";
   if (why.empty() && requests.is_full()) why = "too many requests wait for the controller: try again";
   if (!why.empty()) {
     log(c.name, "refused: set: " + why, false);

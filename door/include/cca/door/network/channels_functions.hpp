@@ -6,7 +6,9 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -90,6 +92,13 @@ public:
     for (const auto& [id, one] : all)
       if (one.info.topic == topic) return id;
     return {};
+  }
+  // The names of its numbers; none: it is no output.
+  std::vector<std::string> axes_of(std::uint16_t channel) const {
+    const auto& metadata = all.at(channel).info.metadata;
+    const auto found = metadata.find("axes");
+    std::istringstream words(found == metadata.end() ? std::string() : found->second);
+    return {std::istream_iterator<std::string>(words), {}};
   }
   // ", did you mean `robot.angles.whole`?", or where all are listed.
   std::string near_output(const std::string& wrong) const {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <fcntl.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netinet/in.h>
 
 #include <utility>
 
@@ -9,10 +12,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cca/base/refused.hpp>
 #include <cca/door/network/client.hpp>
@@ -42,6 +47,37 @@ inline std::string file_of(const std::string& name, const std::string& what) {
 inline std::string text_of(const tcp::endpoint& end) {
   const std::string address = end.address().to_string();
   return (end.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(end.port());
+}
+
+// Where a door that listens everywhere is for others: the addresses of this machine, but those that only it
+// knows, or only one link. Without a network, the address that only it knows.
+inline std::vector<tcp::endpoint> seen_at(const tcp::endpoint& end) {
+  if (!end.address().is_unspecified()) return {end};
+  const bool is_v6 = end.address().is_v6();
+  std::vector<tcp::endpoint> all;
+  ifaddrs* first = nullptr;
+  if (::getifaddrs(&first) != 0) first = nullptr;
+  for (const ifaddrs* one = first; one; one = one->ifa_next) {
+    if (!one->ifa_addr || (one->ifa_flags & IFF_UP) == 0) continue;
+    asio::ip::address address;
+    if (!is_v6 && one->ifa_addr->sa_family == AF_INET) {
+      sockaddr_in is{};
+      std::memcpy(&is, one->ifa_addr, sizeof is);
+      address = asio::ip::address_v4(ntohl(is.sin_addr.s_addr));
+    } else if (is_v6 && one->ifa_addr->sa_family == AF_INET6) {
+      sockaddr_in6 is{};
+      std::memcpy(&is, one->ifa_addr, sizeof is);
+      asio::ip::address_v6::bytes_type bytes;
+      std::memcpy(bytes.data(), &is.sin6_addr, bytes.size());
+      const asio::ip::address_v6 found(bytes);
+      if (!found.is_link_local()) address = found;
+    }
+    if (!address.is_unspecified() && !address.is_loopback()) all.emplace_back(address, end.port());
+  }
+  if (first) ::freeifaddrs(first);
+  if (all.empty() && is_v6) all.emplace_back(asio::ip::address_v6::loopback(), end.port());
+  if (all.empty()) all.emplace_back(asio::ip::address_v4::loopback(), end.port());
+  return all;
 }
 
 inline void listen(tcp::acceptor& acceptor, const door_settings& settings) {

@@ -102,6 +102,7 @@ private:
   std::deque<undo_step> changes{};
   values known{};
   time_point watched{};
+  std::string told_problem{};  // of the recording
   bool status_is_new = false;  // somebody has read it since the last look
   std::list<waiting_read> reads{};
   std::map<std::string, recording::detail::text_map> notes{};
@@ -118,6 +119,7 @@ private:
   bool read_now(const waiting_read&, time_point now);
   void subscribe_parameters(door_client&, const json&, bool is_more);
   void tell_changed(const values& now);
+  void tell_problem_of_recording();
 
   // rights_functions.hpp
   std::string commander_name() const { return commander ? commander->name : std::string(); }

@@ -251,6 +251,18 @@ inline void hub::tell_changed(const values& now) {
   }
 }
 
+// Once, when it happens: a full disk must not be found out at the end.
+inline void hub::tell_problem_of_recording() {
+  std::string now = controls.recording_problem();
+  if (now == told_problem) return;
+  told_problem = std::move(now);
+  if (told_problem.empty()) return;  // the file has ended
+  const std::string what = "the recording is incomplete: " + told_problem;
+  log("door", what, true);
+  for (door_client& c : clients)
+    if (c.may_read()) c.say(status_message(2, what));
+}
+
 inline void hub::channel(const recording::channel_info& one) {
   for (const std::string& message : channels.add(one))
     for (door_client& c : clients)
@@ -280,6 +292,7 @@ inline void hub::tick(time_point now) {
 
 inline void hub::regularly(time_point now) {
   tested.rest_if_over(channels.latest, channels);
+  tell_problem_of_recording();
   // What is known after nobody has read it is as old as the last reader: that one asks for a look, the next
   // one is told.
   if (!channels.is_wanted(status_channel)) status_is_new = false;

@@ -42,42 +42,51 @@ inline std::string input_test::read(const json& given,
       why = std::string(member_name) + " = " + text_of(*one) + ": expected a number";
     else value = one->get<double>();
   };
+  // By its name, or its number; without one the first, or that of the input.
+  const auto axis_of = [&](const char* member_name, const std::string& of_what,
+                           const std::vector<std::string>& axes) {
+    const json* const one = member(given, member_name);
+    const json is = one ? *one : json(to.axis);
+    const auto named =
+        is.is_string() ? std::find(axes.begin(), axes.end(), is.get<std::string>()) : axes.end();
+    if (named != axes.end()) return static_cast<std::size_t>(named - axes.begin());
+    const double index = is.is_number() ? is.get<double>() : -1;
+    if (index >= 0 && index < static_cast<double>(axes.size()) && index == std::floor(index))
+      return static_cast<std::size_t>(index);
+    std::string names;
+    for (const std::string& name : axes) names += (names.empty() ? "" : ", ") + name;
+    why = std::string(member_name) + " = " + text_of(is) + ": expected an axis" + of_what + ": " + names +
+          ", or its number, a whole number from 0 to " + std::to_string(axes.size() - 1);
+    return std::size_t{0};
+  };
   const auto port_of = [&](const char* path, const char* axis, port& into) {
     const std::string is = text_member(given, path);
     const auto channel = channels.channel_of(topic_of(is));
-    double index = 0;
-    number(axis, index);
+    const auto axes = channel ? channels.axes_of(*channel) : std::vector<std::string>();
     if (!why.empty()) return;
-    if (is.empty() || !channel)
+    if (is.empty() || axes.empty())
       why = std::string(path) + " = " + text_of(json(is)) + ": expected the path of an output" +
             channels.near_output(is);
-    else if (!(index >= 0 && index < 1000) || index != std::floor(index))
-      why = std::string(axis) + ": expected the number of an axis of " + is + ", from 0 on";
-    else into.channel = *channel, into.axis = static_cast<std::size_t>(index);
+    else into.channel = *channel, into.axis = axis_of(axis, " of " + is, axes);
   };
   to.signal = text_member(given, "signal");
-  double axis = 0;
-  number("axis", axis);
   number("amplitude", to.amplitude), number("frequency", to.frequency), number("to", to.to);
   number("duration", to.duration);
   if (!why.empty()) return why;
-  const auto axes = static_cast<double>(to.of.axes.size());
-  if (!(axis >= 0 && axis < axes) || axis != std::floor(axis))
-    return "axis = " + number_text(axis) + ": expected a whole number from 0 to " + number_text(axes - 1);
+  const std::size_t axis = axis_of("axis", "", to.of.axes);
+  if (!why.empty()) return why;
   to.axis = static_cast<std::int64_t>(axis);
   if (to.signal != "step" && to.signal != "sine" && to.signal != "chirp" && to.signal != "linear_chirp")
     return "signal = " + text_of(json(to.signal)) + ": expected step, sine, chirp or linear_chirp";
   if (to.amplitude == 0)
     return "amplitude: expected one that is not 0, at most " + number_text(to.of.most) +
            (to.of.unit.empty() ? "" : " " + to.of.unit);
-  if (!given.contains("output_axis")) port_of("output", "axis", to.output);
-  else port_of("output", "output_axis", to.output);
-  if (given.contains("from"))
-    port_of("from", given.contains("from_axis") ? "from_axis" : "axis", to.from.emplace());
+  port_of("output", "output_axis", to.output);
+  if (given.contains("from")) port_of("from", "from_axis", to.from.emplace());
   const auto excitation = channels.channel_of(topic_of(to.of.node + ".excitation"));
   if (why.empty() && !excitation) why = "the run has not begun";
   if (!why.empty()) return why;
-  to.excitation.channel = *excitation, to.excitation.axis = static_cast<std::size_t>(axis);
+  to.excitation.channel = *excitation, to.excitation.axis = axis;
   asked = std::move(to);
   return {};
 }

@@ -43,7 +43,7 @@ inline std::vector<door_service> services_of(const door_description& of) {
                                 {does::request, "/cca/pause", about::pause},
                                 {does::request, "/cca/go_on", about::go_on},
                                 {does::request, "/cca/step", about::step, {{"beats", "", 1, 1, most}}},
-                                {does::request, "/cca/speed", about::speed, {{"factor", "", 1, 0, 1000}}},
+                                {does::request, "/cca/speed", about::speed, {{"factor", "", 1, 1e-3, 1000}}},
                                 {does::request, "/cca/stop", about::end_run},
                                 {does::request, "/cca/resume", about::resume},
                                 {does::request, "/cca/start", about::start},
@@ -115,15 +115,17 @@ inline std::string advertised_services(const std::vector<door_service>& all) {
   return written({{"op", "advertiseServices"}, {"services", std::move(services)}});
 }
 
-// A file that a client names is below the folder in which the program runs, and has the ending of its kind.
+// A file that a client names is below the folder in which the program runs, and has the ending of its kind
+// after a name that everybody sees.
 inline std::string wrong_file(const std::string& name, std::string_view ending) {
   const std::string bounded = "/" + name + "/";
   const bool has_control =
       std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
   if (name.empty() || name.size() > 255 || name.front() == '/' || has_control ||
-      bounded.find("/../") != std::string::npos || !name.ends_with(ending))
+      bounded.find("/../") != std::string::npos || !name.ends_with(ending) ||
+      bounded.ends_with("/" + std::string(ending) + "/") || bounded.find("/ ") != std::string::npos)
     return "expected a file below the folder in which the program runs, without `..`, with the ending " +
-           std::string(ending);
+           std::string(ending) + " and a name before it that begins with no space";
   return {};
 }
 

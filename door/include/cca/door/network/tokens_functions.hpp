@@ -72,8 +72,10 @@ inline std::string token_of_file(const std::string& name) {
   if (!S_ISREG(is.st_mode)) throw refused("the token's file " + name + " is no regular file");
   if (is.st_uid != ::geteuid())
     throw refused("the token's file " + name + " belongs to another user: make your own");
-  if ((is.st_mode & 07777) != 0600)
-    throw refused("others could read the token in " + name + ": run `chmod 600 " + name + "`");
+  if (const unsigned mode = is.st_mode & 0777; (mode & 077) != 0)
+    throw refused("the token's file " + name + " has mode " + std::to_string(mode >> 6) +
+                  std::to_string(mode >> 3 & 7) + std::to_string(mode & 7) +
+                  ", so not only its owner has access to it: run `chmod 600 " + name + "`");
   std::array<char, 512> bytes{};
   const ssize_t size = ::read(file, bytes.data(), bytes.size());
   if (size < 0) throw std::system_error(errno, std::generic_category(), name);

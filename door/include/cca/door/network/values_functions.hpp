@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string>
@@ -87,9 +88,13 @@ inline const char* name_of(door_value::kind kind) {
                                : "numbers";
 }
 
+// With ten digits, or as many as tell it from every other number: one that is refused differs from its bound.
 inline std::string number_text(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.10g", number);
+  for (int digits = 10; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    if (std::strtod(text, nullptr) == number) break;
+  }
   return text;
 }
 inline std::string text_of(const json& value) {
