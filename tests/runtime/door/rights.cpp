@@ -508,7 +508,7 @@ TEST_CASE("The file of a token is this user's alone") {
           "the token's file " + name + " has mode " + text +
               ", so not only its owner has access to it: run `chmod 600 " + name + "`");
   }
-  for (const mode_t mode : {0400, 0700, 0500, 0600}) {
+  for (const mode_t mode : {0400u, 0700u, 0500u, 0600u}) {
     ::chmod(name.c_str(), mode);
     CHECK(why_no_token({.token_file = name}).empty());
   }

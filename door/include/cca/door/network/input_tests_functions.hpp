@@ -54,7 +54,7 @@ inline std::string input_test::read(const json& given,
     if (index >= 0 && index < static_cast<double>(axes.size()) && index == std::floor(index))
       return static_cast<std::size_t>(index);
     std::string names;
-    for (const std::string& name : axes) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& label : axes) names += (names.empty() ? "" : ", ") + label;
     why = std::string(member_name) + " = " + text_of(is) + ": expected an axis" + of_what + ": " + names +
           ", or its number, a whole number from 0 to " + std::to_string(axes.size() - 1);
     return std::size_t{0};
