@@ -51,7 +51,7 @@ def main():
                     if not re.search(rf"^build {re.escape(target)}: ", rules, re.M):
                         sys.exit(f"{page.name}: {shlex.join(words)}: there is no target {target} after what was configured by then")
                     built += 1
-    if configured < 3 or built < 10:
+    if configured < 2 or built < 10:
         sys.exit(f"only {configured} commands that configure and {built} targets were found: the pages are written otherwise than this reads them")
     print(f"the tutorial configures {configured} times and has its {built} targets")
 

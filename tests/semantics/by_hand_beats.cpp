@@ -42,7 +42,7 @@ struct body {
 }  // namespace
 
 TEST_SUITE("semantics by hand: time and beats") {
-  TEST_CASE("beat k is at k * T; T is held as integer nanoseconds, rounded down") {
+  TEST_CASE("beat k is at k * T - T is held as integer nanoseconds, rounded down") {
     struct g : cca::graph<cca::rate<3>, cca::node<"c", clock_reader, cca::timed<2>>> {};
     const auto c = after<g>(5);
     CHECK(c.get<"c">().indices == beats{0, 2, 4});
@@ -64,7 +64,7 @@ TEST_SUITE("semantics by hand: time and beats") {
     CHECK(after<g>(3).get<"c">().times == beats{0, 2500000, 5000000});
   }
 
-  TEST_CASE("dt: since it last fired; the first time N beats for timed<N>, else one beat") {
+  TEST_CASE("dt: since it last fired - the first time N beats for timed<N>, else one beat") {
     struct g : cca::graph<ms1, cca::node<"three", clock_reader, cca::timed<3, 1>>,
                           cca::node<"each", clock_reader>, cca::node<"late", clock_reader, cca::timeout<2>>,
                           cca::node<"mixed", clock_reader, cca::any_of<cca::timed<4, 1>, cca::timed<4, 2>>>> {

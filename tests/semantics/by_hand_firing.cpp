@@ -115,7 +115,7 @@ TEST_SUITE("semantics by hand: when a component fires") {
     check<cca::timed<4, 3>>({3, 7});
   }
 
-  TEST_CASE("full_speed: always; inactive: never; without inputs timed<1>") {
+  TEST_CASE("full_speed: always - inactive: never - without inputs timed<1>") {
     CHECK(fired<cca::full_speed>(3) == beats{0, 1, 2});
     CHECK(fired<cca::inactive>(5).empty());
     struct g : cca::graph<ms1, cca::node<"c", clock_reader>> {};

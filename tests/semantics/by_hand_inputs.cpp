@@ -65,7 +65,7 @@ TEST_SUITE("semantics by hand: what an input sees") {
   }
 
   TEST_CASE(
-      "queue: first in, first out; a firing takes the oldest; if there is none it sees again what it took "
+      "queue: first in, first out - a firing takes the oldest - if there is none it sees again what it took "
       "last") {
     CHECK(seen<one_wire<cca::queue<8, cca::drop_oldest>, cca::timed<2, 3>>>(8) ==
           seen_inputs{{1, 0, 0, true}, {3, 1, ms, true}, {5, 2, 2 * ms, true}, {7, 3, 3 * ms, true}});

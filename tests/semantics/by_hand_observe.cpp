@@ -85,7 +85,7 @@ TEST_SUITE("semantics by hand: listening to a scope") {
 }
 
 TEST_SUITE("semantics by hand: interfaces") {
-  TEST_CASE("ports and the beat in any order; several outputs, read by name") {
+  TEST_CASE("ports and the beat in any order - several outputs, read by name") {
     struct crossed {
       auto process(cca::in<"z", value> z, cca::beat now, const cca::in<"x", value>& x)
           -> std::tuple<cca::maybe<"b", value>, cca::out<"a", value>> {
@@ -104,7 +104,7 @@ TEST_SUITE("semantics by hand: interfaces") {
     CHECK(c.get<"rb">().log == seen_inputs{{0, 10, 0, true}, {2, 12, 2 * ms, true}});
   }
 
-  TEST_CASE("an output filled by axis; a maybe that is filled is published") {
+  TEST_CASE("an output filled by axis - a maybe that is filled is published") {
     struct hip : cca::dimension<"hip"> {};
     struct knee : cca::dimension<"knee"> {};
     struct leg : cca::space<cca::number, cca::axes<hip, knee>> {};

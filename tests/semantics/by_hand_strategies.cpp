@@ -79,7 +79,7 @@ TEST_SUITE("semantics by hand: strategies of the user's own") {
     // Those that a full queue loses have arrived, too.
     CHECK(fired<on_arrivals<"x", 2>, from_a<cca::merged<1>>, from_b<cca::merged<1>>>(14) == beats{0, 6, 12});
   }
-  TEST_CASE("waiting: how many samples are in the queue; without one: 1 if the input is fresh") {
+  TEST_CASE("waiting: how many samples are in the queue - without one: 1 if the input is fresh") {
     CHECK(fired<while_waiting<"x", 3>, from_a<cca::queue<9>>>(9) == beats{4, 6, 8});
     CHECK(fired<while_waiting<"x", 3>, from_a<cca::queue<2>>>(9) == beats{});
     CHECK(fired<while_waiting<"x", 2>, from_a<merged, cca::delayed<1>>, from_b<merged>>(9) ==

@@ -181,7 +181,7 @@ TEST_CASE("what it learned moves with its reference") {
   CHECK(off < 1e-9);
 }
 
-TEST_CASE("a movement that is held waits, and goes on from there; one over a time has gone on without it") {
+TEST_CASE("a movement that is held waits, and goes on from there - one over a time has gone on without it") {
   const auto hidden = laws::taught<hmm_case>();
   hidden->on_start();
   const v2 waited = held([&](int k, const v2& measured) -> v2 {

@@ -198,7 +198,7 @@ TEST_CASE("a step that the plan does not allow is not entered, whoever chooses i
   CHECK(s.in<"slow">());  // the first of those that may follow
 }
 
-TEST_CASE("a judgement is 1, 0 or -1 by the state, or follows the error; NaN of an error is lost") {
+TEST_CASE("a judgement is 1, 0 or -1 by the state, or follows the error - NaN of an error is lost") {
   struct one_way : cca::steps<cca::step<"a", cca::then<"b">>, cca::step<"b", cca::after<2>, cca::then<"a">>> {
   };
   const auto judged = [](double state, bool measured, double error) {

@@ -161,7 +161,7 @@ TEST_SUITE("arm") {
               .norm() < 1e-12);
   }
 
-  TEST_CASE("the torques of gravity hold it; without them it falls") {
+  TEST_CASE("the torques of gravity hold it - without them it falls") {
     cca::controller<held> c;
     started(c);
     steps(c, 5000);

@@ -73,7 +73,7 @@ TEST_SUITE("contact") {
     CHECK((torque - cca::detail::cross(arm_in_flange, force)).norm() < 0.01);
   }
 
-  TEST_CASE("a table that moves away lets go; one that comes up pushes the arm") {
+  TEST_CASE("a table that moves away lets go - one that comes up pushes the arm") {
     sim::robot_world w(sim::model_of<arm::description>(), with_table(0));
     for (int k = 0; k < 1000; ++k) press(w, {0, 0, -5});
     REQUIRE(force_in_world(w)[2] == doctest::Approx(5).epsilon(0.05));

@@ -128,7 +128,7 @@ TEST_SUITE("groups of joints") {
     CHECK(c.get<"listener">().loads == Eigen::Vector4d::Zero());
   }
 
-  TEST_CASE("servos hold until a first command, then follow; a stiffness is for its group alone") {
+  TEST_CASE("servos hold until a first command, then follow - a stiffness is for its group alone") {
     cca::controller<standing> c;
     c.load();
     sim::initial_posture posture = sim::standing_posture();

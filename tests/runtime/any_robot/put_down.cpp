@@ -204,7 +204,7 @@ TEST_SUITE("put down") {
     CHECK(!fine.trouble());
   }
 
-  TEST_CASE("a number that nothing has is answered with how many there are; a box moves to a place") {
+  TEST_CASE("a number that nothing has is answered with how many there are - a box moves to a place") {
     sim::robot_world none = weightless();
     CHECK(has(refusal([&] { none.move(3, {}); }), "there is no box 3: this world has none"));
     sim::scene s;

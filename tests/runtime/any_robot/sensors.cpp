@@ -173,7 +173,7 @@ TEST_SUITE("a motor that winds a cable") {
     CHECK(w.joints()[0].torque == 0);
   }
 
-  TEST_CASE("a torque pulls; a position that follows it winds from there, without a jerk") {
+  TEST_CASE("a torque pulls - a position that follows it winds from there, without a jerk") {
     sim::robot_world w(sim::model_of<wound>());
     go(w, {.torque = 2}, 3000);
     CHECK(w.joints()[0].torque == doctest::Approx(2));

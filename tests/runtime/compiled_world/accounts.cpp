@@ -139,7 +139,7 @@ TEST_SUITE("compiled world: accounts") {
     }
   }
 
-  TEST_CASE("an Oncilla that treads has them, too, at each foot; its motors pay for them") {
+  TEST_CASE("an Oncilla that treads has them, too, at each foot - its motors pay for them") {
     sim::scene room;
     room.floor = 0;
     sim::compiled_world<walking> w(room);

@@ -81,7 +81,7 @@ bool same_bits(const World& a, const World& b) {
 }  // namespace
 
 TEST_SUITE("compiled world: balls") {
-  TEST_CASE("a ball falls freely, lands, and comes to rest; its energy never grows") {
+  TEST_CASE("a ball falls freely, lands, and comes to rest - its energy never grows") {
     sim::compiled_world<with_sphere> w(on_floor({1, 1, 0.4}, {0.5, 0, 0}));
     run(w, 200);
     CHECK(w.ball_velocity(0)[2] == doctest::Approx(-0.2 * gravity).epsilon(1e-12));

@@ -60,7 +60,7 @@ TEST_SUITE("compiled world: limbs") {
     CHECK(zeros_of_mass<sprung_legs>() == zeros_of_mass<flying_oncilla>() + more);
   }
 
-  TEST_CASE("legs of one shape share their code; a limb of many links is computed in loops") {
+  TEST_CASE("legs of one shape share their code - a limb of many links is computed in loops") {
     using oncilla = sim::detail::shared_limbs<flying_oncilla>;
     static_assert(oncilla::leader == std::array<std::size_t, 4>{0, 0, 0, 0});
     static_assert(oncilla::is_recorded<0>);

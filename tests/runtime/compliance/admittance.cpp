@@ -105,7 +105,7 @@ TEST_SUITE("admittance") {
     }
   }
 
-  TEST_CASE("with the damping of its bound it rests at a stiff wall; with half of it, it chatters") {
+  TEST_CASE("with the damping of its bound it rests at a stiff wall - with half of it, it chatters") {
     for (const std::int64_t period : {1'000'000, 10'000'000}) {
       give one;
       one.p.mass.setConstant(0.5);

@@ -86,7 +86,7 @@ TEST_SUITE("hybrid control") {
     CHECK(off < 0.01);
   }
 
-  TEST_CASE("without the integral an error stays; at the largest force it does not wind up") {
+  TEST_CASE("without the integral an error stays - at the largest force it does not wind up") {
     wiping one;
     one.unknown = 3;
     one.control.p.integral = 0;

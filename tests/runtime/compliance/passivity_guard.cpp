@@ -87,7 +87,7 @@ double asked(guard& keeper, const vector& t, const vector& q, const vector& dq) 
 }  // namespace
 
 TEST_SUITE("passivity guard") {
-  TEST_CASE("an adversary that modulates the stiffness gains energy; after the guard it doesn't") {
+  TEST_CASE("an adversary that modulates the stiffness gains energy - after the guard it doesn't") {
     const double at_first = 0.5 * pushed().dq.dot(cca::mass_matrix(cca::body_pose<arm>(bent)) * pushed().dq);
     const auto free = run(adversary{}, false, 0, 3000, pushed());
     MESSAGE("without the guard: " << free.delivered << " J delivered, " << free.kinetic << " J of motion");

@@ -80,7 +80,7 @@ names heard_by() {
 
 TEST_SUITE("scopes") {
   TEST_CASE(
-      "a pattern is looked up where it stands, then in the graphs around; the first that matches counts") {
+      "a pattern is looked up where it stands, then in the graphs around - the first that matches counts") {
     CHECK_EQ(heard_by<"arm.s.angles">(), names{"mind.arm.s.angles"});
     CHECK_EQ(heard_by<"leg.s.angles">(), names{"leg.s.angles"});
     CHECK_EQ(heard_by<"mind.arm.s.*">(), names{"mind.arm.s.angles"});
@@ -94,7 +94,7 @@ TEST_SUITE("scopes") {
     CHECK_EQ(heard_by<"/**.arm.**.y">(), names{"mind.arm.t.y", "arm.t.y"});
   }
 
-  TEST_CASE("* is one name, ** any number of them; ** at the end also names wired inputs") {
+  TEST_CASE("* is one name, ** any number of them - ** at the end also names wired inputs") {
     CHECK_EQ(heard_by<"leg.**">(), names{"leg.s.angles", "leg.t.y", "leg.t.x"});
     CHECK_EQ(heard_by<"leg.**.*">(), names{"leg.s.angles", "leg.t.y"});
     CHECK_EQ(heard_by<"leg.*.*">(), names{"leg.s.angles", "leg.t.y"});
@@ -236,7 +236,7 @@ TEST_SUITE("scopes") {
     CHECK(slow.told.at("r.queued") == all_heard{{0, never, false}, {0, 0, true}, {0.25, 2 * ms, true}});
   }
 
-  TEST_CASE("of merged wires each sample is heard that was taken; an empty queue tells nothing new") {
+  TEST_CASE("of merged wires each sample is heard that was taken - an empty queue tells nothing new") {
     struct sums : cca::graph<cca::rate<1000>, cca::node<"a", joints, cca::timed<4>>,
                              cca::node<"b", joints, cca::timed<4, 2>>, cca::node<"r", plus, cca::timed<1>>,
                              cca::node<"log", ear<cca::observe<"r.x.**", cca::delayed<1>>>, cca::timed<1>>,

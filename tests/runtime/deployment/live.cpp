@@ -349,7 +349,7 @@ TEST_SUITE("live access to a deployment") {
     CHECK_LE(d.get<"planner">().value, 3.0);  // it has fired once, in the first beat
   }
 
-  TEST_CASE("what is wrong is refused in the thread that asks; a component may refuse later") {
+  TEST_CASE("what is wrong is refused in the thread that asks - a component may refuse later") {
     started_one c;
     played& d = c;
     cca::live_access<played> live(d);

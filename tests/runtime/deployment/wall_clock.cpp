@@ -127,7 +127,7 @@ TEST_SUITE("deployed in a wall-clock run") {
     }
   }
 
-  TEST_CASE("between runs with the first environment and ends the run; a fault of a follower ends it too") {
+  TEST_CASE("between runs with the first environment and ends the run - a fault of a follower ends it too") {
     cca::deployed<patient> d;
     begin(d);
     int calls = 0;

@@ -333,7 +333,7 @@ TEST_CASE("input tests: without a whole record there is no answer, and the reaso
   test.end(channels);
   begin();
   for (std::int64_t beat = 0; beat < 300; ++beat)
-    for (const std::uint16_t channel : {1, 2}) {
+    for (const std::uint16_t channel : {std::uint16_t{1}, std::uint16_t{2}}) {
       std::string sample(4 + 16 + sizeof(double), '\0');
       std::memcpy(sample.data() + 4, &beat, sizeof beat);
       test.sample(channel, sample);

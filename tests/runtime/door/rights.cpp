@@ -176,7 +176,7 @@ TEST_CASE("A URL is valid once, and gives the right to command if nobody has it"
   CHECK(asked_rights(empty) == rights(false, false));
 }
 
-TEST_CASE("One client commands; the others are told who, and wait until it gives back") {
+TEST_CASE("One client commands - the others are told who, and wait until it gives back") {
   opened one;
   client a(one.port(), token), b(one.port(), token);
   next_rights(a), next_rights(b);

@@ -68,7 +68,7 @@ TEST_CASE("A door keeps what was sensed from the first beat on, and gives it in 
       c.fetch("cca://twin/stream?from=" + std::to_string(all.size() + 1)).why.starts_with("from: expected"));
 }
 
-TEST_CASE("Memory for twins is bounded; who comes too late is told so") {
+TEST_CASE("Memory for twins is bounded - who comes too late is told so") {
   opened one({.twin_memory = 300'000});
   add_channel(one, 1, role::fed);
   client c(one.port());
@@ -121,7 +121,7 @@ TEST_CASE("A door has the last values of what components computed") {
   CHECK(size_in(piece(c, "stream", 0)) == 2 * 17 + 50'000 * (10 + 2 * 6));
 }
 
-TEST_CASE("The program of a twin comes in pieces; without it the answer says how to give it") {
+TEST_CASE("The program of a twin comes in pieces - without it the answer says how to give it") {
   const laws::temporary_file file("twin.wasm");
   std::string code = "\0asm";
   for (unsigned i = 0; i < 600'000; ++i) code += static_cast<char>(i * i >> 7);

@@ -188,7 +188,7 @@ TEST_SUITE("guards") {
     makes({{.position = 0, .velocity = 2, .damping = 4}}, at(0, 1), 4);
   }
 
-  TEST_CASE("limits: at and beyond a stop only torque that leads back; before them either way") {
+  TEST_CASE("limits: at and beyond a stop only torque that leads back - before them either way") {
     const auto stop = [](double angle, double torque, bool may) {
       CAPTURE(angle);
       CAPTURE(torque);
@@ -287,7 +287,7 @@ TEST_SUITE("guards") {
   }
 
   TEST_CASE(
-      "rate: a start goes slowly from where the joint is until it has reached the command; then as fast as "
+      "rate: a start goes slowly from where the joint is until it has reached the command - then as fast as "
       "the "
       "axis may") {
     hw::rate_guard<joints> g;
@@ -341,7 +341,8 @@ TEST_SUITE("guards") {
   }
 
   TEST_CASE(
-      "rate: the torque of a set point follows `torque_rate`, from 0 at a start; without it, the whole range "
+      "rate: the torque of a set point follows `torque_rate`, from 0 at a start - without it, the whole "
+      "range "
       "in "
       "10 ms") {
     hw::rate_guard<joints> g;

@@ -90,7 +90,7 @@ TEST_SUITE("parts of the drive chain") {
   }
 
   TEST_CASE(
-      "random bytes: a quaternion has length 1 or is refused; nothing is taken from other ids or lengths") {
+      "random bytes: a quaternion has length 1 or is refused - nothing is taken from other ids or lengths") {
     using board = hw::sensor_board<0x40>;
     std::mt19937 random(3);
     int taken = 0;

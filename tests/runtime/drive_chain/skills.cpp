@@ -47,7 +47,7 @@ TEST_SUITE("skills on drives") {
   }
 
   TEST_CASE(
-      "until all drives and the board have reported, nothing is commanded; then motion begins where the "
+      "until all drives and the board have reported, nothing is commanded - then motion begins where the "
       "joints are") {
     hil::skills_in_memory robot;
     hil::load(robot, shape, {});

@@ -76,7 +76,7 @@ void hold_bus(lab& l) {
 
 TEST_SUITE("stopping") {
   TEST_CASE(
-      "stop() damps, then disables, until each drive has confirmed; also while another node holds a bus") {
+      "stop() damps, then disables, until each drive has confirmed - also while another node holds a bus") {
     for (const bool one_shot : {true, false}) {
       CAPTURE(one_shot);
       lab l(one_shot);
@@ -139,7 +139,7 @@ TEST_SUITE("stopping") {
   }
 
   TEST_CASE(
-      "idling, as where a run waits for others, damps drives that move; the next beat drives them again") {
+      "idling, as where a run waits for others, damps drives that move - the next beat drives them again") {
     lab l;
     l.run();
     for (int k = 0; k < 200; ++k) {
@@ -156,7 +156,7 @@ TEST_SUITE("stopping") {
     CHECK(l.stiffest() > 0);
   }
 
-  TEST_CASE("shut_down: the whole sequence in one line; a drive that never confirms is reported by name") {
+  TEST_CASE("shut_down: the whole sequence in one line - a drive that never confirms is reported by name") {
     lab l;
     l.run();
     const std::int64_t last = cca::detail::stop_progress;

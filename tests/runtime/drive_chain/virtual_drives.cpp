@@ -285,7 +285,7 @@ TEST_SUITE("virtual drives") {
     CHECK(b.v.enabled());
   }
 
-  TEST_CASE("cia402: NMT and SYNC are needed; after a quick stop the drive is off") {
+  TEST_CASE("cia402: NMT and SYNC are needed - after a quick stop the drive is off") {
     using V = virtual_cia402<knee, 20'000'000, cia402_lost::quick_stop>;
     V v;
     for (int i = 0; i < 10; ++i)

@@ -174,7 +174,8 @@ TEST_CASE("cia402: every number that a frame can hold is reported, the most nega
   CHECK(detail::got<std::uint16_t>(t.frames[0].payload(), 6) == 0x8001u);
 }
 
-TEST_CASE("cia402: counts that wrap are reported as they are, and can be unwrapped; set points do not wrap") {
+TEST_CASE(
+    "cia402: counts that wrap are reported as they are, and can be unwrapped - set points do not wrap") {
   const double range = 4294967296.0 / 4096 * turn, count = turn / 4096;
   can_frame f = position::reply(0x0237, 0, 0);
   const auto told = [&f](std::int64_t counts) {

@@ -110,7 +110,7 @@ TEST_CASE("link: a queue that is full now and then stops nothing") {
   CHECK(link.dropped_batches() == 20);
 }
 
-TEST_CASE("link: another sender of our frames stops it; the first cause is kept") {
+TEST_CASE("link: another sender of our frames stops it - the first cause is kept") {
   link_supervisor<3> link;
   bus_counters c;
   link.observe(bus_state::active, c);

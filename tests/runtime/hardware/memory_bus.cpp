@@ -131,7 +131,7 @@ TEST_CASE("memory bus: frames are damaged, and some of them cut short") {
 }
 
 TEST_CASE(
-    "memory bus: a seed gives always the same result, another seed another; a copy goes on like the "
+    "memory bus: a seed gives always the same result, another seed another - a copy goes on like the "
     "original") {
   const std::vector<bus_fault> faults{{.what = bus_trouble::lose, .chance = 0.3},
                                       {.what = bus_trouble::corrupt, .chance = 0.3}};

@@ -204,7 +204,7 @@ TEST_CASE("moteus: each number of a command survives encoding and decoding") {
 // Each register of a request or a reply, in each form, with every number of 8 and 16 bits. Steps:
 // registers.md.
 TEST_CASE(
-    "moteus: every number of a register is read as it was written; the most negative integer means none") {
+    "moteus: every number of a register is read as it was written - the most negative integer means none") {
   using enum moteus_register;
   struct known {
     moteus_register which;
@@ -259,7 +259,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "moteus: replies in all forms are reported in SI units; NaN and infinity mean that it lacks the number") {
+    "moteus: replies in all forms are reported in SI units - NaN and infinity mean that it lacks the "
+    "number") {
   using enum moteus_register;
   struct known {
     moteus_register which;
@@ -322,7 +323,7 @@ TEST_CASE("moteus: a position beyond 32 bits stays at their end and does not wra
   }
 }
 
-TEST_CASE("moteus: each mode and each fault; a reply without a mode reports no activity") {
+TEST_CASE("moteus: each mode and each fault - a reply without a mode reports no activity") {
   using enum drive_fault;
   const std::pair<unsigned, drive_fault> faults[] = {
       {32, configuration},    {33, power_stage},     {34, over_voltage},

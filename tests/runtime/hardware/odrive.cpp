@@ -108,7 +108,7 @@ TEST_CASE("odrive: every number of a command survives encoding and decoding") {
 }
 
 TEST_CASE(
-    "odrive: every number of a report is reported as it was; NaN and infinity mean that it lacks the "
+    "odrive: every number of a report is reported as it was - NaN and infinity mean that it lacks the "
     "number") {
   const auto is = [](double told, float x, double unit) {
     return std::isfinite(x) ? told == static_cast<double>(x) * unit : std::isnan(told);
@@ -139,7 +139,7 @@ TEST_CASE(
     CHECK(!old::decode({.id = old::id(c), .length = 8}, r));  // means something else in 0.5
 }
 
-TEST_CASE("odrive: a position has no end and does not wrap; it only gets coarser") {
+TEST_CASE("odrive: a position has no end and does not wrap - it only gets coarser") {
   drive_report r;
   double before = 0;
   for (double turns = 0.5; turns < 3e38; turns *= 2) {

@@ -277,7 +277,7 @@ TEST_CASE("socket can on vcan: frames that a one-shot controller never confirms 
   CHECK(one_shot.counters().dropped_away == 2);
 }
 
-TEST_CASE("socket can on vcan: error frames give the state; at bus-off nothing goes out") {
+TEST_CASE("socket can on vcan: error frames give the state - at bus-off nothing goes out") {
   if (!can_rigs::present("vcan0")) return;
   socket_can robot("vcan0"), drive("vcan0");
   const raw_socket other("vcan0");

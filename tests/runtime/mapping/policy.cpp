@@ -96,7 +96,7 @@ auto fired(walk& w, const Eigen::Vector2d& angles, const Eigen::Vector3d& down, 
 
 }  // namespace
 
-TEST_CASE("the activations: the tangent to 7e-6, odd and never falling; the rectifier") {
+TEST_CASE("the activations: the tangent to 7e-6, odd and never falling - the rectifier") {
   Eigen::Matrix<double, 1, 1> v, before(-1.1);
   double worst = 0;
   for (double x = -20; x <= 20; x += 1e-3) {

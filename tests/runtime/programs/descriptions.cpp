@@ -176,7 +176,7 @@ TEST_CASE("all outputs are listed, with space, unit and rate") {
   CHECK(child(cca::robot_main<two>, {"--list"}).code() == 0);
 }
 
-TEST_CASE("of many numbers the first are named and the others counted; those without names are counted") {
+TEST_CASE("of many numbers the first are named and the others counted - those without names are counted") {
   child one(
       [](int count, char** words) {
         cca::command_line line("shows");

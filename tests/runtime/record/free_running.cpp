@@ -86,7 +86,7 @@ TEST_SUITE("recording of what runs freely") {
     }
   }
 
-  TEST_CASE("until the first wall-clock run it is computed, and compared; from then on it is played") {
+  TEST_CASE("until the first wall-clock run it is computed, and compared - from then on it is played") {
     const auto result = recorded<seen>([](auto& d, auto pace) {
       const cycles_of these(2'000);
       cycle_in_us = 0;

@@ -19,7 +19,7 @@ struct recorded : turning<>, cca::recordable {};
 }  // namespace
 
 TEST_SUITE("recording of free-running modes") {
-  TEST_CASE("cycles shorter and longer than a beat and than a mode; who runs freely asks for modes, too") {
+  TEST_CASE("cycles shorter and longer than a beat and than a mode - who runs freely asks for modes, too") {
     for (const std::int64_t us : {100, 3'000, 20'000}) {
       CAPTURE(us);
       const cycles_of these(us);

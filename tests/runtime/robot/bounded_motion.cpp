@@ -120,7 +120,7 @@ struct bench {
 }  // namespace
 
 TEST_SUITE("bounded motion") {
-  TEST_CASE("whatever is commanded, no limit is exceeded; a command that stays is reached, and kept") {
+  TEST_CASE("whatever is commanded, no limit is exceeded - a command that stays is reached, and kept") {
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
       CAPTURE(seed);
       dice d{std::mt19937_64(seed)};

@@ -194,7 +194,7 @@ TEST_SUITE("trot") {
     CHECK(go_on() == first);
   }
 
-  TEST_CASE("the same seed gives the same bits, in two threads at once, too; another seed others") {
+  TEST_CASE("the same seed gives the same bits, in two threads at once, too - another seed others") {
     const auto hash_of = [](std::uint64_t seed) {
       trot::trotting controller;
       controller.load();
@@ -214,7 +214,7 @@ TEST_SUITE("trot") {
   }
 
   TEST_CASE(
-      "a file that is refused leaves the controller as it was; where it stands, which key, and what was "
+      "a file that is refused leaves the controller as it was - where it stands, which key, and what was "
       "expected is told") {
     struct bad {
       const char *text, *words;

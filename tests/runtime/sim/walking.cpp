@@ -67,7 +67,7 @@ TEST_SUITE("walking policy") {
     }
   }
 
-  TEST_CASE("the course: yaw, its integral within bounds, and the mean pitch; held while there is none") {
+  TEST_CASE("the course: yaw, its integral within bounds, and the mean pitch - held while there is none") {
     trunk t;
     t.hold(cca::rotation::from_roll_pitch_yaw(0.0, 0.1, 0.2), 100);  // 1 s
     CHECK(t.course[0] == doctest::Approx(0.2));

@@ -350,7 +350,7 @@ TEST_SUITE("farm on threads") {
     CHECK_EQ(deep_thought::saves - saves, 2);
   }
 
-  TEST_CASE("stop does not wait for busy workers; they are back when the farm starts again") {
+  TEST_CASE("stop does not wait for busy workers - they are back when the farm starts again") {
     allow(0, 0);
     const int stops = deep_thought::stops, tasks = deep_thought::tasks;
     auto c = started<four_at_most>();

@@ -77,7 +77,7 @@ TEST_CASE("the right paw comes to a ball that hangs inside") {
 }
 
 TEST_CASE(
-    "the right paw comes to a ball fixed in the world, to which the robot trots; the table has a row for "
+    "the right paw comes to a ball fixed in the world, to which the robot trots - the table has a row for "
     "each "
     "skill") {
   auto c = short_run(5, skills::paw_side::right, skills::target::world);

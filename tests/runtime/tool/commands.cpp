@@ -322,7 +322,7 @@ struct robot {
 }  // namespace
 
 TEST_SUITE("calibrate") {
-  TEST_CASE("the offset goes into a file that the synchronizer loads; the others stay") {
+  TEST_CASE("the offset goes into a file that the synchronizer loads - the others stay") {
     const std::string file = "cca_can_offsets.toml";
     std::remove(file.c_str());
     rig r({name});
@@ -409,7 +409,7 @@ TEST_SUITE("record and replay") {
     CHECK(fast.seen == frames);
     CHECK(fast.clock < 50 * ms);
   }
-  TEST_CASE("a log that makes no sense is refused with the line; of two interfaces one must be named") {
+  TEST_CASE("a log that makes no sense is refused with the line - of two interfaces one must be named") {
     std::istringstream bad("(1.0) can0 123#11\n\n(1.1) can0 123#1\n");
     CHECK_THROWS_WITH_AS(
         read_log(bad, "my.log"),
@@ -477,7 +477,7 @@ TEST_SUITE("record and replay") {
 }
 
 TEST_SUITE("the whole line") {
-  TEST_CASE("words become a command; wrong words give an exit code and a message") {
+  TEST_CASE("words become a command - wrong words give an exit code and a message") {
     rig r({name});
     const auto open = [&](const std::string&, bool) { return r.bus; };
     const auto ends = [&](std::vector<std::string> line) {

@@ -121,7 +121,7 @@ TEST_SUITE("every family") {
     }
   }
   TEST_CASE(
-      "when pushed, it makes no more torque than allowed at its last report; in torque mode never more") {
+      "when pushed, it makes no more torque than allowed at its last report - in torque mode never more") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig r(f);
@@ -132,7 +132,7 @@ TEST_SUITE("every family") {
       CHECK(r.is_off());
     }
   }
-  TEST_CASE("held, it gets half of the torque and is then disabled; a fault and silence end jog") {
+  TEST_CASE("held, it gets half of the torque and is then disabled - a fault and silence end jog") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig held(f);

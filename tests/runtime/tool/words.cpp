@@ -26,7 +26,7 @@ std::string complaint(F f) {
 }  // namespace
 
 TEST_SUITE("command line") {
-  TEST_CASE("options, flags and words in any order; the rest is reported") {
+  TEST_CASE("options, flags and words in any order - the rest is reported") {
     words w({"--yes", "jog", "can0", "--speed", "0.5", "mit:ak80-9:3", "--to", "-0.1", "--wrong"});
     CHECK(w.command() == "jog");
     CHECK(w.flag("--yes"));
@@ -58,7 +58,7 @@ TEST_SUITE("command line") {
     CHECK(words({"--version"}).answer().starts_with("cca-can "));
     CHECK(words({}).command() == "help");
   }
-  TEST_CASE("a file may be named as a command; a command that does not exist is refused") {
+  TEST_CASE("a file may be named as a command - a command that does not exist is refused") {
     words w({"replay", "can0", "list"});
     CHECK(w.command() == "replay");
     CHECK(w.next() == "can0");
@@ -139,7 +139,7 @@ TEST_SUITE("log") {
     CHECK(dropped_in("DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 7)") == 3);
     CHECK_FALSE(is_drop_count("(1.0) can0 123#"));
   }
-  TEST_CASE("dots between bytes are read; a frame of CAN XL is marked") {
+  TEST_CASE("dots between bytes are read - a frame of CAN XL is marked") {
     log_line line;
     CHECK(read_line("(1700000000.000009) can0 123#11.22.33", line) == "");
     CHECK(line.frame == hw::classic(hw::standard(0x123), std::array<std::uint8_t, 3>{0x11, 0x22, 0x33}));
