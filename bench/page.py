@@ -562,7 +562,7 @@ It builds the benchmarks and runs `bench/measure.py`, which takes an hour on a m
 It needs g++, clang++-19, valgrind, objdump, Google Benchmark and cyclictest; `./bootstrap` installs them.
 Round trips are also compared with Cyclone DDS, if it is installed.
 Counts do not depend on how busy the machine is; times do, and each time is the median of five.
-`tests/runtime/no_allocation` and the test `performance: calls` check that a beat allocates nothing and calls nothing but libm.
+`tests/runtime/no_allocation` and the test `performance: calls` check that a beat allocates nothing and calls nothing.
 """]
     if "trot" in figures:
         parts.append(trot(figures["trot"]))

@@ -1,4 +1,4 @@
-// A small graph with a resource node, a limiter, two rates and functions of libm, for `calls.py` to
+// A small graph with a resource node, a limiter, two rates and elementary functions, for `calls.py` to
 // disassemble.
 #include <cmath>
 #include <numbers>
@@ -30,13 +30,14 @@ struct posture {
 struct oscillator {
   double turned = 0;
   auto process(cca::in<"amplitude", amplitude> radius, cca::beat now) -> cca::out<"phase", phase> {
-    turned = std::fmod(turned + 2 * std::numbers::pi * radius[cca::x{}] * now.dt(), 2 * std::numbers::pi);
+    turned =
+        cca::math::fmod(turned + 2 * std::numbers::pi * radius[cca::x{}] * now.dt(), 2 * std::numbers::pi);
     return turned;
   }
 };
 struct gait {
   auto process(cca::in<"phase", phase> p) -> cca::out<"angles", leg_angles> {
-    return Eigen::Vector2d(0.3 * std::sin(p[cca::x{}]), -1 + 0.3 * std::cos(p[cca::x{}]));
+    return Eigen::Vector2d(0.3 * cca::math::sin(p[cca::x{}]), -1 + 0.3 * cca::math::cos(p[cca::x{}]));
   }
 };
 
