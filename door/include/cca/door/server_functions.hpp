@@ -197,15 +197,15 @@ struct door_server::inside {
       if (closes && !std::exchange(c->has_deadline, true))  // also if it does not read what is under way
         c->deadline = now() + std::chrono::seconds(1);
       if (c->is_writing) continue;
-      if (closes && !c->ends_after_write) {
+      if (!c->ends_after_write && (!closes || is_ending) && c->client->out.take(c->sending)) {
+        write(c);
+      } else if (closes && !c->ends_after_write) {
         c->ends_after_write = true;
         c->client->out.take_answers(c->sending);
         std::string last{static_cast<char>(c->client->closing >> 8),
                          static_cast<char>(c->client->closing & 255)};
         door_network::add_frame(c->sending, door_network::frame_kind::close,
                                 last + c->client->why_closing.substr(0, 120));
-        write(c);
-      } else if (!c->ends_after_write && c->client->out.take(c->sending)) {
         write(c);
       }
     }
