@@ -2,6 +2,8 @@
 
 import re
 
+from calls import FAR
+
 FORMS = ("graph", "by_hand", "classical")
 
 
@@ -22,7 +24,7 @@ def three(row, what):
     return each(row, what, FORMS)
 
 
-RARE = ("look_for", "fail", "advance_in_parts", "__clang_call_terminate", "far_sine_and_cosine", "far_hypot", "wrap_far_turn", "wrap_far_signed")
+RARE = {"look_for", "fail", "advance_in_parts", "far_hypot"} | {name.split("(")[0].split("::")[-1] for name in FAR}
 
 
 def short(name):

@@ -42,7 +42,8 @@ inline std::string input_test::read(const json& given,
       why = std::string(member_name) + " = " + text_of(*one) + ": expected a number";
     else value = one->get<double>();
   };
-  // By its name, or its number; without one the first, or that of the input.
+  // By its name or its number. Where a port has none, it is that of the input; where that has none, the
+  // first.
   const auto axis_of = [&](const char* member_name, const std::string& of_what,
                            const std::vector<std::string>& axes) {
     const json* const one = member(given, member_name);
