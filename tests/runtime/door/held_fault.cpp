@@ -487,6 +487,15 @@ TEST_CASE("door: a loop that only runs does not hold a fault, and says so") {
   window.join();
 }
 
+TEST_CASE("door: one that gives no beat can't hold, and is not opened so") {
+  child mind(cca::robot_main<program<two_processes>>,
+             {"--door", "0", "--on-lost", "hold", "--only", "mind", "--shared-memory",
+              "/cca_no_hold_" + std::to_string(::getpid())});
+  CHECK(mind.code() == 2);
+  CHECK(mind.err.find("hold is a pause, and another process runs the environment that gives the beat") !=
+        std::string::npos);
+}
+
 TEST_CASE("door: a fault in one process ends all, and the door of each says which before it closes") {
   const std::string memory = "/cca_two_doors_" + std::to_string(::getpid());
   const auto process = [&](const char* which) {

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/refused.hpp>
 #include <cca/door/live_controls.hpp>
 #include <cca/door/server.hpp>
 #include <cca/door/settings.hpp>
@@ -62,6 +63,10 @@ public:
                  speed,
                  std::move(figures)),
         server(s, controls) {
+    if (s.on_lost == when_lost::hold && !live.gives_beat())
+      throw refused(
+          "cca::door: on_lost: hold is a pause, and another process runs the environment that gives the "
+          "beat: open the door of that one so, or choose stop");
     recorded.add(server.sink());
   }
   door_on(const door_on&) = delete;
