@@ -10,7 +10,7 @@
 // start. The masses and the ground belong to the world that a program puts down.
 //
 // Readings: joints and sensors, each as its parameters say. Commands: late, lost, a position with backlash
-// and at a bounded speed; until the first one has come through, it counts at once. Drives and battery act
+// and at a bounded speed; those of the first beat count at once. Drives and battery act
 // within the physics (drive_condition.hpp). Without uncertainty it has the bits of the plain robot. A copy is
 // a snapshot. Errors: as cca/sim/robot.hpp; parameters. Cost: a table of all numbers for each of the last 250
 // ms, 100 operations for each number with noise. It allocates nothing. Example:
