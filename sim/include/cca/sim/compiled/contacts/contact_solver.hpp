@@ -28,10 +28,11 @@ struct contact_rounds {
   static constexpr double flat = 1e-13;  // of the pyramid: what its last round changes
 };
 
-// The deepest count; in lanes, which have different ones, all.
+// The deepest count. Lanes have different ones, so they have more room, if there are as many.
 template <class Real>
-constexpr std::size_t most_contacts(std::size_t probes) {
-  return is_in_lanes<Real> || probes < 32 ? probes : 32;
+constexpr std::size_t most_contacts(std::size_t possible) {
+  constexpr std::size_t room = is_in_lanes<Real> ? 64 : 32;
+  return is_in_lanes<Real> && possible < room ? possible : room;
 }
 
 // Of one contact: normal, then two tangents.

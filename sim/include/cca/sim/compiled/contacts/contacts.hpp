@@ -50,7 +50,7 @@ public:
   using touches = touches_in_step<R, Real>;
   using motion = tree_motion<Real, tree::coordinates, tree::floats>;
   static constexpr std::size_t most = touches::most;
-  static constexpr bool has_own = probes::touches_itself && !is_in_lanes<Real>;
+  static constexpr bool has_own = probes::touches_itself;
   using contact = contact_on_branch<R, Real>;
   using impulses = kept_impulses<Real, most>;
 
