@@ -70,10 +70,10 @@ struct hugging {
 };
 
 struct hugs_in_lanes {
-  int differ = 0;            // numbers of lanes that are not those of a world alone
-  int touches = 0;           // beats of a lane in which its hands press or are pressed
-  int apart = 0;             // those in which another lane's do not
-  int on_boxes = 0;          // beats of a lane in which trunk and forearm press, boxes
+  int differ = 0;             // numbers of lanes that are not those of a world alone
+  int touches = 0;            // beats of a lane in which its hands press or are pressed
+  int apart = 0;              // those in which another lane's do not
+  int on_boxes = 0;           // beats of a lane in which trunk and forearm press, boxes
   bool stands_still = false;  // a world has trouble
 };
 // Each lane swings its arms in its own way, from its own posture.

@@ -240,7 +240,7 @@ private:
     const ground& under = around.under;
     const double stiff = 0.5 * h * under.contact.stiffness, damp = under.contact.damping;
     const double give = 1 / (h * (stiff + damp)), back = under.contact.stiffness / (stiff + damp);
-    typename on_links<R, Real>::vector speed = step.change, scale{};
+    typename on_links<R, Real>::vector speed = step.change;
     if constexpr (tree::floats) {
       const auto turning = along(step.base, m.angular_velocity), velocity = along(step.base, m.velocity);
       for (std::size_t k = 0; k < 3; ++k)
@@ -325,12 +325,13 @@ private:
         }
       });
     }
-    for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * root(step.now.mass.inverse[k]);
+    for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * scale[k];
     limb_solution<R, Real>::forward(step.now.mass, z);
     for (std::size_t k = 0; k < z.size(); ++k) step.change[k] = step.change[k] + z[k];
   }
 
   touches found;
+  typename on_links<R, Real>::vector scale;  // D^-1/2, of the factor of the step
   slots<contact, most> contacts;
   slots<contact, has_own ? most : 1> seconds;  // second branches
   slots<contact_law<Real>, most> laws;

@@ -16,8 +16,8 @@
 
 namespace cca::sim::detail {
 
-// `touches(feature, depth, at, normal)`: the normal points into `b`; features come in ascending order. If only
-// one of both is a box, that is `a`.
+// `touches(feature, depth, at, normal)`: the normal points into `b`; features come in ascending order. If
+// only one of both is a box, that is `a`.
 template <class Real, class F>
 void touch_each_other(const shape_in_step<Real>& a, const shape_in_step<Real>& b, F touches) {
   using kind = robots::shape_kind;
@@ -110,18 +110,17 @@ private:
     std::array<bool, most_of_pair> exists{};
     for (int k = 0; k < Real::count; ++k) {
       if (is_near[k] == 0) continue;
-      touch_each_other(one.lane(k), other.lane(k),
-                       [&](int feature, double depth, const triple<double>& at,
-                           const triple<double>& normal) {
-                         touch& t = all[static_cast<std::size_t>(feature)];
-                         bool& is = exists[static_cast<std::size_t>(feature)];
-                         for (std::size_t r = 0; !is && r < 3; ++r)
-                           t.at[r] = Real(at[r]), t.normal[r] = Real(normal[r]);
-                         if (!is) t.depth = Real(-1.0);
-                         is = true;
-                         t.depth.set(k, depth);
-                         for (std::size_t r = 0; r < 3; ++r) t.at[r].set(k, at[r]), t.normal[r].set(k, normal[r]);
-                       });
+      touch_each_other(
+          one.lane(k), other.lane(k),
+          [&](int feature, double depth, const triple<double>& at, const triple<double>& normal) {
+            touch& t = all[static_cast<std::size_t>(feature)];
+            bool& is = exists[static_cast<std::size_t>(feature)];
+            for (std::size_t r = 0; !is && r < 3; ++r) t.at[r] = Real(at[r]), t.normal[r] = Real(normal[r]);
+            if (!is) t.depth = Real(-1.0);
+            is = true;
+            t.depth.set(k, depth);
+            for (std::size_t r = 0; r < 3; ++r) t.at[r].set(k, at[r]), t.normal[r].set(k, normal[r]);
+          });
     }
     for (std::size_t f = 0; f < all.size(); ++f)
       if (exists[f]) found(static_cast<int>(f), all[f].depth, all[f].at, all[f].normal);
