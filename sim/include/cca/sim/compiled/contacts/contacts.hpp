@@ -315,8 +315,7 @@ private:
       });
     }
     for (std::size_t k = 0; k < found.count; ++k) {
-      auto& slip = contacts[k].slip;
-      slip = {laws[k].speed[1], laws[k].speed[2]};
+      auto& slip = (contacts[k].slip = {laws[k].speed[1], laws[k].speed[2]});
       each_branch(k, [&](const contact& x, const probe& of) {
         const auto& way = tree::branches.way[static_cast<std::size_t>(of.tip)];
         for (std::size_t i = 0; i < x.length; ++i) {
