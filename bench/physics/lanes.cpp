@@ -1,7 +1,8 @@
 // Robots side by side in the lanes of a vector, beside one alone: the trot of the Oncilla, each with commands
 // of its own time.
 //
-//   physics_lanes check         whether each lane has the bits of a world alone (without contraction), after a second
+//   physics_lanes check         whether each lane has the bits of a world alone (without contraction), after a second,
+//                               and of a robot that touches itself, in each beat of two seconds
 //   physics_lanes time          ns for the step of a robot, alone and in lanes, in one run
 //   physics_lanes run LANES BEATS   for callgrind; LANES 1: a world alone; 0: nothing
 //
@@ -18,6 +19,7 @@
 #include <cca/sim/compiled/compiled_world.hpp>
 #include <cca/sim/compiled/lanes/lanes.hpp>
 
+#include "../../tests/runtime/compiled_world/hugging.hpp"
 #include "commands_of_trot.hpp"
 #include "figures.hpp"
 
@@ -72,8 +74,10 @@ int check() {
     for (std::size_t c = 0; c < 16; ++c) differ += m.q[c] != of.q[c][l] || m.dq[c] != of.dq[c][l];
     for (std::size_t k = 0; k < 3; ++k) differ += m.at[k] != of.at[k][l];
   }
-  figure("lanes differ", differ);
-  return differ > 0;
+  const auto hugs = compiled_test::hugs_beside_alone<width>(level(), 9.81, 2000);
+  figure("lanes differ", differ + hugs.differ);
+  figure("touch themselves", hugs.touches);
+  return differ + hugs.differ > 0 || hugs.stands_still || hugs.touches == 0;
 }
 
 constexpr std::size_t first = 1500;  // then it trots

@@ -98,6 +98,14 @@ TEST_SUITE("compiled world: lanes") {
     CHECK(w.laws()[1].position[0] == treading(0, 7)[1].position);
     CHECK(w.laws()[1].position[1] == treading(0, 7)[1].position);
   }
+  TEST_CASE("worlds in lanes have no boxes and no balls") {
+    using several = sim::compiled_world<walking, sim::lanes<width>>;
+    sim::scene table, ball;
+    table.boxes.push_back({});
+    ball.balls.push_back({});
+    for (const sim::scene& s : {table, ball})
+      CHECK_THROWS_WITH_AS(several{s}, doctest::Contains("no boxes and no balls"), std::invalid_argument);
+  }
   TEST_CASE("a group stands still when one of it can't be right any more") {
     sim::compiled_world<walking, sim::lanes<width>> w;
     std::array<sim::lanes<width>, 16> q{}, dq{};

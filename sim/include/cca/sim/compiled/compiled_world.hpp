@@ -71,7 +71,7 @@ public:
 
   explicit compiled_world(const scene& around = {}, const robot_world_settings& settings = {})
       : settings_((check(settings), settings)),
-        around_(detail::surroundings_of<Real>(around, settings.engine, has_shapes, has_own)),
+        around_(detail::surroundings_of<Real>(around, settings.engine, has_shapes)),
         built_(settings.body) {
     model();  // its numbers are checked
     state_.around.begin(around);

@@ -26,15 +26,7 @@ struct surroundings {
 
 // Throws std::invalid_argument for what no world can have, and for what this one has not.
 template <class Real>
-surroundings surroundings_of(const scene& around,
-                             const engine_settings& settings,
-                             bool has_shapes,
-                             bool touches_itself) {
-  if (is_in_lanes<Real> && touches_itself)
-    throw std::invalid_argument(
-        "cca::sim::compiled_world: in worlds in lanes a robot does not touch itself; derive a description "
-        "with "
-        "touches_itself = false, or make the worlds one by one");
+surroundings surroundings_of(const scene& around, const engine_settings& settings, bool has_shapes) {
   if (is_in_lanes<Real> && !(around.boxes.empty() && around.balls.empty()))
     throw std::invalid_argument(
         "cca::sim::compiled_world: worlds in lanes have no boxes and no balls; leave them out of the scene, "

@@ -28,10 +28,11 @@ struct contact_rounds {
   static constexpr double flat = 1e-13;  // of the pyramid: what its last round changes
 };
 
-// The deepest count; in lanes, which have different ones, all.
+// The deepest count. Lanes have different ones, so they have more room, if there are as many.
 template <class Real>
-constexpr std::size_t most_contacts(std::size_t probes) {
-  return is_in_lanes<Real> || probes < 32 ? probes : 32;
+constexpr std::size_t most_contacts(std::size_t possible) {
+  constexpr std::size_t room = is_in_lanes<Real> ? 64 : 32;
+  return is_in_lanes<Real> && possible < room ? possible : room;
 }
 
 // Of one contact: normal, then two tangents.
@@ -52,7 +53,7 @@ struct contact_law {
   // A contact in some lanes gives no impulse in the others.
   template <class Condition>
   constexpr void only_where(const Condition& touches) {
-    bias = select(touches, bias, Real(-1e30));
+    bias = select(touches, bias, Real(nowhere));
     for (Real& p : impulse) p = select(touches, p, Real(0.0));
   }
 
@@ -63,8 +64,9 @@ struct contact_law {
     tied = {coupling[0] * ease[1], coupling[1] * ease[2]};
     over = one / (own[0] + give - coupling[0] * tied[0] - coupling[1] * tied[1]);
   }
-  // Alone, with these speeds from the others.
-  constexpr std::array<Real, 3> solved(const std::array<Real, 3>& u) {
+  // Alone, with these speeds from the others. `done`: in lanes, those that do not need it any more.
+  template <class Condition>
+  constexpr std::array<Real, 3> solved(const std::array<Real, 3>& u, const Condition& done) {
     const Real need = bias - u[0];
     if (!is_cone) return on_pyramid(u, need);
     // Sticks: [a p q; p b 0; q 0 c] x = (need, -u1, -u2).
@@ -73,12 +75,19 @@ struct contact_law {
     const Real most = friction * larger(n, Real(0.0));
     const auto presses = n > Real(0.0), holds = s * s + t * t <= most * most;
     const auto sticks = presses & holds;
-    if (everywhere(sticks)) return {n, s, t};
-    const auto slipping = slipped(u, need, sticks);
+    auto is_found = sticks;
+    // A lane without the contact would pass for one that slips, and never come near its circle.
+    if constexpr (is_in_lanes<Real>) is_found = sticks | done | (bias < Real(nowhere / 2));
+    const Real none(0.0);
+    if (everywhere(is_found))
+      return {select(sticks, n, none), select(sticks, s, none), select(sticks, t, none)};
+    const auto slipping = slipped(u, need, is_found);
     return {select(sticks, n, slipping[0]), select(sticks, s, slipping[1]), select(sticks, t, slipping[2])};
   }
 
 private:
+  static constexpr double nowhere = -1e30;  // m/s, the bias of a contact that is none
+
   // One number after the other, each within its bounds.
   constexpr std::array<Real, 3> on_pyramid(const std::array<Real, 3>& u, const Real& need) const {
     auto [n, s, t] = impulse;
@@ -100,18 +109,18 @@ private:
   std::array<Real, 2> tied{};  // coupling / own
   Real over{}, shift{};        // shift: of the circle, in the last round
 
-  // `sticks`: where it is not asked for, and leaves nothing.
+  // `is_found`: where it is not asked for, and leaves nothing.
   template <class Condition>
   constexpr std::array<Real, 3> slipped(const std::array<Real, 3>& u,
                                         const Real& need,
-                                        const Condition& sticks) {
+                                        const Condition& is_found) {
     const Real tiny(1e-100);
     Real n{}, s = impulse[1], t = impulse[2];
     for (int round = 0; round < contact_rounds::of_slip; ++round) {
       n = larger((need - coupling[0] * s - coupling[1] * t) * ease[0], Real(0.0));
       const Real cs = u[1] + coupling[0] * n, ct = u[2] + coupling[1] * n, most = friction * n;
       Real size{};
-      Condition done = sticks;
+      Condition done = is_found;
       for (int k = 0;; ++k) {
         const Real is = Real(1.0) / (own[1] + shift), it = Real(1.0) / (own[2] + shift);
         s = select(done, s, -(cs * is)), t = select(done, t, -(ct * it));
@@ -156,7 +165,7 @@ constexpr void solve_contacts(slots<contact_law<Real>, Most>& all,
         v = v + b[3] * p + b[4] * q + b[5] * r;
         w = w + b[6] * p + b[7] * q + b[8] * r;
       }
-      const std::array<Real, 3> found = x.solved({u, v, w});
+      const std::array<Real, 3> found = x.solved({u, v, w}, done);
       for (std::size_t r = 0; r < 3; ++r) {
         const Real off = (found[r] - x.impulse[r]) * x.own[r];
         change = larger(change, larger(off, -off));

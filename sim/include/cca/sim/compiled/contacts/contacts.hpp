@@ -50,7 +50,7 @@ public:
   using touches = touches_in_step<R, Real>;
   using motion = tree_motion<Real, tree::coordinates, tree::floats>;
   static constexpr std::size_t most = touches::most;
-  static constexpr bool has_own = probes::touches_itself && !is_in_lanes<Real>;
+  static constexpr bool has_own = probes::touches_itself;
   using contact = contact_on_branch<R, Real>;
   using impulses = kept_impulses<Real, most>;
 
@@ -240,7 +240,7 @@ private:
     const ground& under = around.under;
     const double stiff = 0.5 * h * under.contact.stiffness, damp = under.contact.damping;
     const double give = 1 / (h * (stiff + damp)), back = under.contact.stiffness / (stiff + damp);
-    typename on_links<R, Real>::vector speed = step.change, scale{};
+    typename on_links<R, Real>::vector speed = step.change;
     if constexpr (tree::floats) {
       const auto turning = along(step.base, m.angular_velocity), velocity = along(step.base, m.velocity);
       for (std::size_t k = 0; k < 3; ++k)
@@ -315,8 +315,7 @@ private:
       });
     }
     for (std::size_t k = 0; k < found.count; ++k) {
-      auto& slip = contacts[k].slip;
-      slip = {laws[k].speed[1], laws[k].speed[2]};
+      auto& slip = (contacts[k].slip = {laws[k].speed[1], laws[k].speed[2]});
       each_branch(k, [&](const contact& x, const probe& of) {
         const auto& way = tree::branches.way[static_cast<std::size_t>(of.tip)];
         for (std::size_t i = 0; i < x.length; ++i) {
@@ -325,12 +324,13 @@ private:
         }
       });
     }
-    for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * root(step.now.mass.inverse[k]);
+    for (std::size_t k = 0; k < z.size(); ++k) z[k] = z[k] * scale[k];
     limb_solution<R, Real>::forward(step.now.mass, z);
     for (std::size_t k = 0; k < z.size(); ++k) step.change[k] = step.change[k] + z[k];
   }
 
   touches found;
+  typename on_links<R, Real>::vector scale;  // D^-1/2, of the factor of the step
   slots<contact, most> contacts;
   slots<contact, has_own ? most : 1> seconds;  // second branches
   slots<contact_law<Real>, most> laws;

@@ -11,6 +11,38 @@
 
 namespace cca::sim::detail {
 
+// One of them, in the world.
+template <class Real>
+struct shape_in_step {
+  const placed_shape* shape = nullptr;
+  triple<Real> middle{};
+  std::array<triple<Real>, 3> axes{};  // not of a sphere
+
+  robots::shape_kind kind() const { return shape->form.kind; }
+  // Of a sphere or a capsule.
+  double radius() const { return shape->form.size[0]; }
+  // Of a box.
+  box_form<Real> box() const {
+    const auto& size = shape->form.size;
+    box_form<Real> form{{}, {Real(size[0] / 2), Real(size[1] / 2), Real(size[2] / 2)}};
+    for (std::size_t k = 0; k < 3; ++k) form.frame.axes[k] = axes[k];
+    form.frame.at = middle;
+    return form;
+  }
+  // Of a capsule: from its middle to the centre of an end. Zero of a sphere.
+  triple<Real> half() const {
+    if (kind() != robots::shape_kind::capsule) return {};
+    return Real(shape->form.size[1] / 2) * axes[2];
+  }
+  // Where it is in one lane.
+  shape_in_step<double> lane(int k) const
+    requires is_in_lanes<Real>
+  {
+    const auto own = [k](const triple<Real>& v) { return triple<double>{v[0][k], v[1][k], v[2][k]}; };
+    return {shape, own(middle), {own(axes[0]), own(axes[1]), own(axes[2])}};
+  }
+};
+
 template <class R, class Real>
 struct shapes_in_step {
   using tree = compiled_tree<R>;
@@ -26,19 +58,13 @@ struct shapes_in_step {
     for (std::size_t k = 0; k < 3; ++k) all[k] = step.base.direction(in_base.axes[k]);
     return all;
   }
-  // Of a box.
-  static box_form<Real> box(const step_type& step, const placed_shape& shape, const triple<Real>& middle) {
-    const auto& size = shape.form.size;
-    box_form<Real> form{{}, {Real(size[0] / 2), Real(size[1] / 2), Real(size[2] / 2)}};
-    const auto turned = axes(step, shape);
-    for (std::size_t k = 0; k < 3; ++k) form.frame.axes[k] = turned[k];
-    form.frame.at = middle;
-    return form;
-  }
-  // Of a capsule: from its middle to the centre of an end. Zero of a sphere.
-  static triple<Real> half(const step_type& step, const placed_shape& shape) {
-    if (shape.form.kind != robots::shape_kind::capsule) return {};
-    return Real(shape.form.size[1] / 2) * axes(step, shape)[2];
+  // `middle`: of the shape.
+  static shape_in_step<Real> of(const step_type& step,
+                                const placed_shape& shape,
+                                const triple<Real>& middle) {
+    shape_in_step<Real> s{&shape, middle, {}};
+    if (shape.form.kind != robots::shape_kind::sphere) s.axes = axes(step, shape);
+    return s;
   }
 };
 

@@ -50,8 +50,8 @@ public:
   using shapes = shapes_in_step<R, Real>;
   using one = touch_in_step<Real>;
   static constexpr std::size_t on_edges = edge_touch<Real>::most * probes::long_shapes;
-  static constexpr std::size_t most =
-      is_in_lanes<Real> ? most_contacts<Real>(2 * probes::count + on_edges) : 32;  // a wall for each point
+  static constexpr std::size_t most = most_contacts<Real>(
+      2 * probes::count + on_edges + own_touches<R, Real>::most);  // a wall for each point
   static constexpr probe nothing{.link = -1, .shape = -1, .tip = 0, .at = {}, .radius = 0};
 
   std::size_t count = 0;
