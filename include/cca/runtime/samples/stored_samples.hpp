@@ -192,9 +192,12 @@ public:
     return &newest_arrived(k, delay);
   }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int delay) const {
-    const slot& s = newest_arrived(k, delay);
-    if constexpr (MarksBeats) return s.published_in < 0 ? -1 : s.published_in + delay;
-    else return s.origin() == never ? -1 : newest_tick(shifted(Published, delay), k);
+    if constexpr (MarksBeats) {
+      const slot& s = newest_arrived(k, delay);
+      return s.published_in < 0 ? -1 : s.published_in + delay;
+    } else {
+      return newest_tick(shifted(Published, delay), k);
+    }
   }
   // In beat k nothing was published: if its clock ticks, the sample before counts again.
   void repeat(std::int64_t k)
