@@ -69,7 +69,7 @@ inline constexpr bool may_miss_ticks =
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::past> {
   static constexpr const auto& a = array_of<Graph, Array>;
-  using type = past_samples<a.size, a.depth, a.published, may_miss_ticks<Graph> || a.published.dynamic()>;
+  using type = past_samples<a.size, a.depth, a.published, may_miss_ticks<Graph> || !a.published.known()>;
 };
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::arriving> {

@@ -234,7 +234,7 @@ struct layout_step {
       const auto c = published(g, from);
       key = mixed(key, c.period, c.first, in.delay,
                   in.in_beat | in.own_initial << 1 | in.counts << 2 | in.known_now << 3 | in.counts_vary << 4,
-                  from.storage == storage_kind::of_beat ? from.port : -1);
+                  from.storage == storage_kind::of_beat || reads_result(in) ? from.port : -1);
     }
     if (shows_initial(in))
       if (const auto space = port_of(g, in).space)
