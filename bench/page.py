@@ -201,9 +201,7 @@ Instructions, graph : by hand:
 {random_table(rows)}
 
 On g++ a beat unrolls the loops over the axes of a sample at `-O2`, too ([compilers](compilers.md#cca_beat-and-gnunoinline)); in the function by hand they stay loops there.
-So the figures at `-O2` say what a program gains that is compiled so, not that the graph does less than the loop by hand.
-@BOTH@
-At `-O3` g++ unrolls both.
+So its rows of `-O2` say what a program gains that is compiled with these flags; at `-O3` g++ unrolls both forms, and the row compares like with like.
 
 The unrolled loops also show g++ that a component fills its output: it drops the zeros that the output begins with, so that an axis that a component forgets is never what memory held.
 Before, these were most of what the graph took more on g++.
