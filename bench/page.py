@@ -178,8 +178,8 @@ def random_table(rows):
     table_rows = []
     for compiler, flags in sets:
         all_of = random_ratios(rows, compiler, flags)
-        table_rows.append([compiler, f"`{flags}`", len(all_of), f"**{sum(all_of) / len(all_of):.3f}**", f"**{max(all_of):.3f}**", f"{min(all_of):.3f}"])
-    return table(["compiler", "flags", "graphs", "mean", "most", "least"], table_rows)
+        table_rows.append([compiler, f"`{flags}`", f"**{sum(all_of) / len(all_of):.3f}**", f"**{max(all_of):.3f}**", f"{min(all_of):.3f}"])
+    return table(["compiler", "flags", "mean", "most", "least"], table_rows)
 
 
 def random_graph(part):
@@ -187,19 +187,18 @@ def random_graph(part):
     least, most = (f([r["by_hand"]["instructions"] for r in rows]) for f in (min, max))
     return f"""## Graphs that nobody tuned
 
-The graphs above were looked at until they cost little; these are random (`bench/random_graphs.py`, each made from its seed, from 1 on).
+The graphs above were looked at until they cost little; these {len({r["seed"] for r in rows})} are random (`bench/random_graphs.py`, each made from its seed, from 1 on).
 Each has 14 to 26 components and a robot, on samples of eight axes and of one.
 Some components fill their output in place, some return their state or an Eigen expression, call static functions or keep arrays; some publish one axis.
 Wires are immediate, delayed by one to three beats, or latest; outputs have one or more readers, some wires close a loop, some components are slower than the beat.
 The same arithmetic by hand is one function that copies no sample: a result is read where it was computed.
 Each run checks that the two give the same bits.
 By hand they take {number(least)} to {number(most)} instructions per beat.
-The bounds are a mean of 1.03 and no graph above 1.10.
+The bounds, for 20 graphs, are a mean of 1.03 and none above 1.10.
 
 Instructions, graph : by hand:
 
 {random_table(rows)}
-
 On g++ a beat unrolls the loops over the axes of a sample at `-O2`, too ([compilers](compilers.md#cca_beat-and-gnunoinline)); in the function by hand they stay loops there.
 So its rows of `-O2` say what a program gains that is compiled with these flags; at `-O3` g++ unrolls both forms, and the row compares like with like.
 
