@@ -9,7 +9,10 @@
 //                    are the users' own. clang only, for the same reason.
 // CCA_BEAT           a function that is a beat, or a part of one: everything that it calls is inlined. Not
 // where
-//                    CCA_EDIT is defined, for work on a program: there it takes g++ a fifth of the time.
+//                    CCA_EDIT is defined, for work on a program: there it takes g++ a fifth of the time. g++
+//                    also unrolls a loop over the axes of a sample in it, as clang does at -O2 and g++ only at
+//                    -O3. It then sees that a component fills its output, and drops the zeros with which the
+//                    output began (docs/decisions/0017).
 // CCA_REPLAYED_BEAT  a beat of which only the bits count, not the speed: nothing is inlined into it, so it
 //                    compiles faster. A machine that fuses a product and a sum fuses others when other code
 //                    is inlined, and its bits differ: there it is CCA_BEAT.
@@ -74,6 +77,8 @@
 
 #if defined(CCA_EDIT)
 #define CCA_BEAT
+#elif !defined(__clang__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define CCA_BEAT [[gnu::flatten, gnu::optimize("peel-loops")]]
 #else
 #define CCA_BEAT [[gnu::flatten]]
 #endif

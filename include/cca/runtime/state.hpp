@@ -61,10 +61,15 @@ template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::newest> {
   using type = newest_sample<array_of<Graph, Array>.size, array_of<Graph, Array>.published>;
 };
+// A fault, a rest, a skipped beat, another mode, a gap in a recording: an output is not published at a tick.
+template <class Type>
+inline constexpr bool may_miss_ticks =
+    !Graph<Type> || counts_of<Type>.is_spread || counts_of<Type>.may_fault ||
+    counts_of<Type>.part_count > 0 || is_always_probed<Type>;
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::past> {
   static constexpr const auto& a = array_of<Graph, Array>;
-  using type = past_samples<a.size, a.depth, a.published>;
+  using type = past_samples<a.size, a.depth, a.published, may_miss_ticks<Graph> || !a.published.known()>;
 };
 template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::arriving> {

@@ -163,6 +163,58 @@ struct unturned : cca::graph<cca::rate<1000>,
                              cca::wire<"turning.q", "facing.late", cca::delayed<3>>,
                              cca::wire<"turning.q", "facing.queued", cca::queue<2, cca::drop_oldest>>> {};
 
+// Delays longer than a beat, after writers whose clock is known.
+struct ring_reader {
+  void process(cca::in<"x", reading> x, cca::in<"slow", reading> slow, cca::beat now) {
+    fast.push_back({now.index(), x[cca::x{}], x.origin(), x.fresh()});
+    rare.push_back({now.index(), slow[cca::x{}], slow.origin(), slow.fresh()});
+  }
+  std::vector<seen> fast, rare;
+};
+struct flawless {  // may fault: then the samples keep the beats in which they were published
+  auto process() -> cca::fault { return {}; }
+};
+template <class... More>
+struct rings : cca::graph<cca::rate<1000>,
+                          cca::node<"counter", counter>,
+                          cca::node<"slow", counter, cca::timed<4>>,
+                          cca::node<"reader", ring_reader, cca::full_speed>,
+                          cca::node<"often", ring_reader, cca::timed<3>>,
+                          cca::wire<"counter.y", "reader.x", cca::delayed<3>, cca::initial<7>>,
+                          cca::wire<"slow.y", "reader.slow", cca::delayed<6>>,
+                          cca::wire<"counter.y", "often.x", cca::delayed<2>>,
+                          cca::wire<"slow.y", "often.slow", cca::delayed<5>>,
+                          More...> {};
+
+// Fills what it wants; the stack holds other numbers before.
+struct eight : cca::space<cca::record<8>, cca::axes<cca::x>> {};
+struct full_of_ones {
+  auto process() -> cca::out<"y", eight> {
+    cca::out<"y", eight> y;
+    for (int i = 0; i < 8; ++i) y.vector()[i] = ++last;
+    return y;
+  }
+  double last = 1;
+};
+struct forgetful {
+  auto process(cca::in<"x", eight> x) -> cca::out<"y", eight> {
+    cca::out<"y", eight> y;
+    for (int i = first; i < end; ++i) y.vector()[i] = x.vector()[i];
+    return y;
+  }
+  int first = 0, end = 8;
+};
+struct last_of_all {
+  void process(cca::in<"x", eight> x) { seen = x.vector(); }
+  eight::vector_type seen;
+};
+struct forgotten : cca::graph<cca::rate<1000>,
+                              cca::node<"ones", full_of_ones>,
+                              cca::node<"forgetful", forgetful>,
+                              cca::node<"last", last_of_all>,
+                              cca::wire<"ones.y", "forgetful.x">,
+                              cca::wire<"forgetful.y", "last.x">> {};
+
 }  // namespace
 
 TEST_SUITE("ports") {
@@ -224,6 +276,39 @@ TEST_SUITE("ports") {
     const auto snapshot = c;
     c.run(cca::for_beats<2>{});
     CHECK_EQ(snapshot.template get<"album">().kept[2].vector().tail(1)[0], 2);
+  }
+
+  TEST_CASE("a ring without beats tells what one with beats tells") {
+    using with_beats = rings<cca::node<"flawless", flawless>>;
+    auto c = started<rings<>>();
+    auto other = started<with_beats>();
+    CHECK_LT(sizeof(c), sizeof(other));
+    c.run(cca::for_beats<20>{});
+    other.run(cca::for_beats<20>{});
+    CHECK_EQ(c.get<"reader">().fast, other.get<"reader">().fast);
+    CHECK_EQ(c.get<"reader">().rare, other.get<"reader">().rare);
+    CHECK_EQ(c.get<"often">().fast, other.get<"often">().fast);
+    CHECK_EQ(c.get<"often">().rare, other.get<"often">().rare);
+    constexpr std::int64_t ms = 1'000'000;
+    const auto& rare = c.get<"reader">().rare;
+    CHECK_EQ(c.get<"reader">().fast[2], seen{2, 7, cca::never, false});
+    CHECK_EQ(c.get<"reader">().fast[3], seen{3, 1, 0, true});
+    CHECK_EQ(rare[5], seen{5, 0, cca::never, false});
+    CHECK_EQ(rare[6], seen{6, 1, 0, true});
+    CHECK_EQ(rare[9], seen{9, 1, 0, false});
+    CHECK_EQ(rare[10], seen{10, 2, 4 * ms, true});
+    CHECK_EQ(c.get<"often">().rare[3], seen{9, 2, 4 * ms, true});
+  }
+
+  TEST_CASE("what a component does not fill is zero") {
+    auto c = started<forgotten>();
+    for (const auto& [first, end] : {std::pair{0, 8}, {3, 5}, {0, 0}, {7, 8}}) {
+      c.get<"forgetful">().first = first;
+      c.get<"forgetful">().end = end;
+      c.step();
+      const auto& seen_now = c.get<"last">().seen;
+      for (int i = 0; i < 8; ++i) CHECK_EQ(seen_now[i] != 0, i >= first && i < end);
+    }
   }
 
   TEST_CASE("a sample takes the oldest origin of the inputs") {

@@ -130,9 +130,19 @@ struct layout_step {
   }
 
   constexpr bool is_read_in_beat(const call& c) const {
-    for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
+    for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o) {
       if (g.outputs[o].storage == storage_kind::of_beat) return true;
+      for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+        if (reads_result(g.inputs[i])) return true;
+    }
     return false;
+  }
+  // It reads in the beat what a ring keeps for others, and finds it where the component returned it: any
+  // sample that the beat stores later might be the same place of a ring.
+  constexpr bool reads_result(const input& in) const {
+    return in.writer >= 0 && g.outputs[in.writer].storage == storage_kind::past && in.known_now &&
+           in.delay == 0 && in.queue < 0 && !in.watched && !in.outside && !g.calls[in.call].elsewhere &&
+           in_one_part(g, in.call, g.outputs[in.writer].call);
   }
 
   // In each beat, or at least in each beat in which a reader looks.
@@ -188,6 +198,7 @@ struct layout_step {
                                   .counts_vary = in.counts_vary,
                                   .counts_arrivals = in.counts_arrivals});
       else if (in.shows >= 0) to.sources[i] = to.sources[in.shows];
+      else if (reads_result(in)) to.sources[i] = to.results[g.outputs[in.writer].call];
       else if (in.writer >= 0) to.sources[i] = to.outputs[in.writer];
       if (is_on_the_way(in) && !g.calls[g.outputs[in.writer].call].elsewhere)
         to.on_the_way[i] = place_in({.kind = storage_kind::on_the_way,
@@ -223,7 +234,7 @@ struct layout_step {
       const auto c = published(g, from);
       key = mixed(key, c.period, c.first, in.delay,
                   in.in_beat | in.own_initial << 1 | in.counts << 2 | in.known_now << 3 | in.counts_vary << 4,
-                  from.storage == storage_kind::of_beat ? from.port : -1);
+                  from.storage == storage_kind::of_beat || reads_result(in) ? from.port : -1);
     }
     if (shows_initial(in))
       if (const auto space = port_of(g, in).space)

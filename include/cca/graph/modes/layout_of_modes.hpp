@@ -53,7 +53,7 @@ inline constexpr auto layout_of<Mode> = [] {
         result.on_the_way[i].index = whole.on_the_way[sharing::find_way(view, i, view.whole)].index;
     } else if (in.shows >= 0) {
       result.sources[i] = result.sources[in.shows];
-    } else if (in.writer >= 0) {
+    } else if (in.writer >= 0 && !layout_step<decltype(result)>{g, result}.reads_result(in)) {
       result.sources[i] = result.outputs[in.writer];
     }
   return result;

@@ -175,24 +175,34 @@ struct newest_sample : stored_sample<Size>, publication_beat<Published.dynamic()
 // The last samples. Depth is a power of two, and enough for all readers. What has not been published yet is
 // where nothing has been stored: there it holds the initial value, of origin `never`, so a reader needs no
 // test.
-template <int Size, int Depth, clock Published>
+// `MarksBeats`: each keeps the beat in which it was published. Where nothing can keep an output from being
+// published when its clock ticks, the clock tells.
+template <int Size, int Depth, clock Published, bool MarksBeats>
 class past_samples {
+  static_assert(MarksBeats || Published.known());
+
 public:
   template <class Vector>
   CCA_INLINE void put(const Vector& v, std::int64_t origin, std::int64_t k) {
     slot& s = slots[index_in_ring(Published.known() ? (k - Published.first) / Published.period : count++)];
     s.store(v, origin);
-    s.published_in = k;
+    if constexpr (MarksBeats) s.published_in = k;
   }
   CCA_INLINE const stored_sample<Size>* show(std::int64_t k, int delay) const {
     return &newest_arrived(k, delay);
   }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int delay) const {
-    const slot& s = newest_arrived(k, delay);
-    return s.published_in < 0 ? -1 : s.published_in + delay;
+    if constexpr (MarksBeats) {
+      const slot& s = newest_arrived(k, delay);
+      return s.published_in < 0 ? -1 : s.published_in + delay;
+    } else {
+      return newest_tick(shifted(Published, delay), k);
+    }
   }
   // In beat k nothing was published: if its clock ticks, the sample before counts again.
-  void repeat(std::int64_t k) {
+  void repeat(std::int64_t k)
+    requires(MarksBeats)
+  {
     if constexpr (Published.dynamic()) return repeat_last(k);
     if (!ticks(Published, k)) return;
     const std::int64_t number = (k - Published.first) / Published.period;
@@ -204,7 +214,7 @@ public:
   void forget() {
     for (slot& each : slots) {
       each.forget();
-      each.published_in = -1;
+      if constexpr (MarksBeats) each.published_in = -1;
     }
     count = 0;
   }
@@ -213,9 +223,7 @@ public:
   }
 
 private:
-  struct slot : stored_sample<Size> {
-    std::int64_t published_in = -1;
-  };
+  struct slot : stored_sample<Size>, publication_beat<MarksBeats> {};
 
   CCA_INLINE static std::size_t index_in_ring(std::int64_t number) {
     return static_cast<std::size_t>(number) & static_cast<std::size_t>(Depth - 1);
