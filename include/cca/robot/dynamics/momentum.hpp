@@ -57,8 +57,8 @@ joint_momentum_result<Size> momentum_of_joints(const std::array<body_link, Count
   result.change.setZero();
   for (std::size_t i = Count; i-- > 0;) {
     const vector6 s = motion_of(links[i], placed[i]);
-    result.momentum[links[i].coordinate] += math::dot(s, h[i]);
-    result.change[links[i].coordinate] += math::dot(cross_motion(v[i], s), h[i]);
+    result.momentum[links[i].coordinate] += power(s, h[i]);
+    result.change[links[i].coordinate] += power(cross_motion(v[i], s), h[i]);
     if (links[i].parent >= 0) h[static_cast<std::size_t>(links[i].parent)] += h[i];
   }
   return result;
