@@ -98,6 +98,9 @@ CCA_INLINE constexpr Scalar sum_of_products(Eigen::Index size, const A& a, const
   }
 }
 constexpr bool are_few(int products) { return products != Eigen::Dynamic && products <= most_products; }
+template <int Rows, int Depth>
+inline constexpr bool in_halves_too =
+    Rows != Eigen::Dynamic && are_few(Depth) && (Rows < many || Depth < many);
 
 // What lies in memory stays there; an expression is computed once.
 template <class M>
@@ -131,6 +134,33 @@ CCA_INLINE void side_by_side(const F& f) {
     f(First, typename some_lanes<2>::vector{});
     side_by_side<First + 2, Size>(f);
   } else if constexpr (left == 1) f(First, double{});
+}
+
+// Column j of a product.
+template <int Depth, class A, class B, class Result>
+CCA_INLINE void write_column(const A& left, const B& right, Eigen::Index j, Result& result) {
+  using scalar = typename Result::Scalar;
+  constexpr int rows = rows_of<Result>;
+  constexpr bool few_rows = rows != Eigen::Dynamic && rows < many, halves = in_halves_too<rows, Depth>;
+  const auto of_right = [&](Eigen::Index k) { return right.coeff(k, j); };
+  if constexpr (few_rows && has_whole_columns<A>) {
+    side_by_side<0, rows>([&]<class T>(Eigen::Index i, T) {
+      const T some = sum_of_products<T, Depth, halves>(
+          left.cols(), [&](Eigen::Index k) { return loaded<T>(left.data() + i + k * left.outerStride()); },
+          of_right);
+      std::memcpy(result.data() + i + j * result.outerStride(), &some, sizeof some);
+    });
+  } else if constexpr (few_rows) {
+    cca::detail::unrolled<rows>([&](auto i) {
+      result.coeffRef(i(), j) = sum_of_products<scalar, Depth, halves>(
+          left.cols(), [&](Eigen::Index k) { return left.coeff(i(), k); }, of_right);
+    });
+  } else if constexpr (halves) {
+    result.col(j) = in_halves<0, Depth>([&](int k) { return left.col(k) * right.coeff(k, j); });
+  } else {
+    result.col(j) = left.col(0) * right.coeff(0, j);
+    for (Eigen::Index k = 1; k < left.cols(); ++k) result.col(j) += left.col(k) * right.coeff(k, j);
+  }
 }
 
 }  // namespace detail
@@ -183,35 +213,16 @@ CCA_INLINE auto product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B
   static_assert(detail::may_agree(detail::columns_of<A>, detail::rows_of<B>),
                 "product(): the left matrix needs as many columns as the right one has rows");
   eigen_assert(a.cols() == b.rows());
-  constexpr bool by_rows = rows == 1 && columns != 1, few_rows = rows != Eigen::Dynamic && rows < detail::many,
-                 halves = rows != Eigen::Dynamic && detail::are_few(depth) && (few_rows || depth < detail::many);
-  using scalar = typename A::Scalar;
-  Eigen::Matrix<scalar, rows, columns, by_rows ? Eigen::RowMajor : Eigen::ColMajor> result(a.rows(), b.cols());
+  constexpr bool by_rows = rows == 1 && columns != 1;
+  Eigen::Matrix<typename A::Scalar, rows, columns, by_rows ? Eigen::RowMajor : Eigen::ColMajor> result(
+      a.rows(), b.cols());
   const auto& left = detail::stored(a.derived());
   const auto& right = detail::stored(b.derived());
-  const auto write_column = [&](Eigen::Index j) {
-    const auto of_right = [&](Eigen::Index k) { return right.coeff(k, j); };
-    if constexpr (few_rows && detail::has_whole_columns<std::remove_cvref_t<decltype(left)>>) {
-      detail::side_by_side<0, rows>([&]<class T>(Eigen::Index i, T) {
-        const auto of_left = [&](Eigen::Index k) { return detail::loaded<T>(left.data() + i + k * left.outerStride()); };
-        const T some = detail::sum_of_products<T, depth, halves>(left.cols(), of_left, of_right);
-        std::memcpy(result.data() + i + j * result.outerStride(), &some, sizeof some);
-      });
-    } else if constexpr (few_rows) {
-      cca::detail::unrolled<rows>([&](auto i) {
-        result.coeffRef(i(), j) = detail::sum_of_products<scalar, depth, halves>(
-            left.cols(), [&](Eigen::Index k) { return left.coeff(i(), k); }, of_right);
-      });
-    } else if constexpr (halves) {
-      result.col(j) = detail::in_halves<0, depth>([&](int k) { return left.col(k) * right.coeff(k, j); });
-    } else {
-      result.col(j) = left.col(0) * right.coeff(0, j);
-      for (Eigen::Index k = 1; k < left.cols(); ++k) result.col(j) += left.col(k) * right.coeff(k, j);
-    }
-  };
-  if constexpr (halves && few_rows && columns > 1 && columns < detail::many) cca::detail::unrolled<columns>([&](auto j) { write_column(j()); });
+  if constexpr (rows > 0 && rows < detail::many && columns > 1 && columns < detail::many &&
+                detail::in_halves_too<rows, depth>)
+    cca::detail::unrolled<columns>([&](auto j) { detail::write_column<depth>(left, right, j(), result); });
   else
-    for (Eigen::Index j = 0; j < result.cols(); ++j) write_column(j);
+    for (Eigen::Index j = 0; j < result.cols(); ++j) detail::write_column<depth>(left, right, j, result);
   return result;
 }
 

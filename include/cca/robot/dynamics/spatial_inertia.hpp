@@ -34,7 +34,8 @@ inline vector3 linear(const vector6& v) { return v.tail<3>(); }
 inline double power(const vector6& motion, const vector6& load) {
   using pair = some_lanes<2>::vector;
   const auto part = [](const vector6& v, int i) { return math::detail::loaded<pair>(v.data() + i); };
-  const pair sum = part(motion, 0) * part(load, 0) + part(motion, 2) * part(load, 2) + part(motion, 4) * part(load, 4);
+  const pair sum =
+      part(motion, 0) * part(load, 0) + part(motion, 2) * part(load, 2) + part(motion, 4) * part(load, 4);
   return sum[0] + sum[1];
 }
 
