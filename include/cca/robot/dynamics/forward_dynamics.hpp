@@ -21,7 +21,7 @@
 
 #include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
-#include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/base/math/positive_matrix.hpp>
 
 namespace cca {
 
