@@ -41,7 +41,7 @@ CCA_INLINE constexpr auto in_halves(const At& at) {
   else return in_halves<First, Count / 2>(at) + in_halves<First + Count / 2, Count - Count / 2>(at);
 }
 
-// The same of a(k) * b(k). A product stands in one expression with its sum: only there clang may fuse them.
+// The same of a(k) * b(k). A product stands in one expression with its sum: docs/compilers.md says why.
 template <int First, int Count, class A, class B>
 CCA_INLINE constexpr auto products_in_halves(const A& a, const B& b) {
   constexpr int half = Count / 2;
