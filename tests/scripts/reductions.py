@@ -21,7 +21,6 @@ OUTSIDE = {
     "include/cca/adaptive/extreme_learning_machine.hpp": TRAINS,
     "include/cca/adaptive/recursive_least_squares.hpp": TRAINS,
     "include/cca/base/response/frequency_response.hpp": "a report after the run",
-    "include/cca/motor/equations/gaussian_mixture.hpp": "decomposes its covariances by Eigen, in gmr and hmm_motion",
 }
 OUTSIDE_FOLDERS = {"sim/include/cca/sim/robot": ENGINE}
 

@@ -87,7 +87,8 @@ template <std::size_t Count, class TurnOf>
     frame.at = parent.at + math::product(parent.turn, as_vector(l.at));
     if (l.straight) frame.turn = parent.turn;
     else frame.turn = math::product(parent.turn, Eigen::Map<const matrix3>(l.turn.data()));
-    placed[i].axis = math::product(frame.turn, as_vector(l.axis));
+    if (l.principal >= 0) placed[i].axis = frame.turn.col(l.principal);
+    else placed[i].axis = math::product(frame.turn, as_vector(l.axis));
     if (l.kind == joint_kind::revolute) turn_about(frame.turn, l, by.cosine, by.sine);
     else frame.at += by.cosine * placed[i].axis;
   }

@@ -49,6 +49,14 @@ inline matrix3 matrix_of(const std::array<double, 6>& i) {
   return m;
 }
 
+// matrix_of(i) * w, without the matrix: it would be written to memory, and read again by lanes.
+inline vector3 inertia_times(const std::array<double, 6>& i, const vector3& w) {
+  using pair = some_lanes<2>::vector;
+  const pair first{i[0], i[3]}, second{i[3], i[1]}, third{i[4], i[5]};
+  const pair two = first * w[0] + (second * w[1] + third * w[2]);
+  return {two[0], two[1], i[4] * w[0] + (i[5] * w[1] + i[2] * w[2])};
+}
+
 // A force on a body and its moment about a point.
 struct load {
   vector3 force = vector3::Zero(), moment = vector3::Zero();
@@ -65,9 +73,9 @@ inline load load_for(const link_inertia& of, const matrix3& turn, const frame_mo
   const vector3 acceleration =
       m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
   // In the axes of the body, where the inertia is constant.
-  const matrix3 inertia = matrix_of(of.about_centre);
   const vector3 dw = math::product(turn.transpose(), m.dw), w = math::product(turn.transpose(), m.w);
-  const vector3 own = math::product(inertia, dw) + rotation::cross<double>(w, math::product(inertia, w));
+  const vector3 own =
+      inertia_times(of.about_centre, dw) + rotation::cross<double>(w, inertia_times(of.about_centre, w));
   load l;
   l.force = of.mass * acceleration;
   l.moment = math::product(turn, own) + rotation::cross<double>(c, l.force);
@@ -84,17 +92,17 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
   const frame_motion root{base.angular_velocity, base.angular_acceleration, base.acceleration - base.gravity};
   std::array<frame_motion, Count> motion;
   std::array<load, Count> loads;
-  const auto arm = [&](std::size_t i) {
-    const int p = links[i].parent;
-    return p < 0 ? placed[i].frame.at
-                 : vector3(placed[i].frame.at - placed[static_cast<std::size_t>(p)].frame.at);
-  };
+  std::array<vector3, Count> arms;  // from the origin of the link before
 
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
-    const frame_motion& p = l.parent < 0 ? root : motion[static_cast<std::size_t>(l.parent)];
-    const vector3 r = arm(i), along = l.ratio * dq[l.coordinate] * placed[i].axis,
+    const auto before = static_cast<std::size_t>(l.parent);
+    const frame_motion& p = l.parent < 0 ? root : motion[before];
+    const vector3 r = l.parent < 0 ? placed[i].frame.at
+                                   : vector3(placed[i].frame.at - placed[before].frame.at),
+                  along = l.ratio * dq[l.coordinate] * placed[i].axis,
                   along_change = l.ratio * ddq[l.coordinate] * placed[i].axis;
+    arms[i] = r;
     frame_motion& m = motion[i];
     m = p;
     m.a += rotation::cross<double>(p.dw, r) + rotation::cross<double>(p.w, rotation::cross<double>(p.w, r));
@@ -117,7 +125,7 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
         math::dot(placed[i].axis, l.kind == joint_kind::revolute ? loads[i].moment : loads[i].force);
     load& below = l.parent < 0 ? at_base : loads[static_cast<std::size_t>(l.parent)];
     below.force += loads[i].force;
-    below.moment += loads[i].moment + rotation::cross<double>(arm(i), loads[i].force);
+    below.moment += loads[i].moment + rotation::cross<double>(arms[i], loads[i].force);
   }
   result.wrench.template head<3>() = at_base.moment;
   result.wrench.template tail<3>() = at_base.force;
@@ -129,25 +137,23 @@ template <int Size, std::size_t Count>
 Eigen::Matrix<double, Size, 1> torques_at_rest(const std::array<body_link, Count>& links,
                                                const std::array<placed_link, Count>& placed,
                                                const vector3& gravity) {
-  std::array<double, Count> mass;
-  std::array<vector3, Count> moment;  // mass times centre, from the base's origin
-  for (std::size_t i = 0; i < Count; ++i) {
-    mass[i] = links[i].inertia.mass;
-    moment[i] = mass[i] * (placed[i].frame.at +
-                           math::product(placed[i].frame.turn, as_vector(links[i].inertia.centre)));
-  }
+  std::array<double, Count> masses{};  // of the links behind each one, and mass times centre
+  std::array<vector3, Count> moments;  // from the base's origin
+  for (vector3& one : moments) one.setZero();
   Eigen::Matrix<double, Size, 1> torques = Eigen::Matrix<double, Size, 1>::Zero();
   for (std::size_t i = Count; i-- > 0;) {
     const body_link& l = links[i];
-    const vector3& axis = placed[i].axis;
+    const auto& [frame, axis] = placed[i];
+    const double mass = l.inertia.mass + masses[i];
+    const vector3 moment =
+        l.inertia.mass * (frame.at + math::product(frame.turn, as_vector(l.inertia.centre))) + moments[i];
     if (l.kind == joint_kind::revolute)
       torques[l.coordinate] -=
-          l.ratio * math::dot(axis, rotation::cross<double>(vector3(moment[i] - mass[i] * placed[i].frame.at),
-                                                            gravity));
-    else torques[l.coordinate] -= l.ratio * mass[i] * math::dot(axis, gravity);
+          l.ratio * math::dot(axis, rotation::cross<double>(vector3(moment - mass * frame.at), gravity));
+    else torques[l.coordinate] -= l.ratio * mass * math::dot(axis, gravity);
     if (l.parent >= 0) {
-      mass[static_cast<std::size_t>(l.parent)] += mass[i];
-      moment[static_cast<std::size_t>(l.parent)] += moment[i];
+      masses[static_cast<std::size_t>(l.parent)] += mass;
+      moments[static_cast<std::size_t>(l.parent)] += moment;
     }
   }
   return torques;

@@ -91,7 +91,68 @@ void check_product() {
     for (int j = 0; j < Columns; ++j) CHECK(math::product(by_rows, b)(i, j).text == c(i, j).text);
 }
 
+// Products with a power of two are exact, so a machine that fuses products and sums gets the same bits.
+struct drawn_numbers {
+  std::uint64_t state = 1;
+  double next() {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
+  }
+  double exponent() { return std::ldexp(1.0, static_cast<int>(next() * 8)); }
+};
+
+// Doubles of which columns lie in memory are multiplied by lanes: in the order of the definition.
+template <int Rows, int Depth, int Columns>
+void check_lanes() {
+  CAPTURE(Rows);
+  CAPTURE(Depth);
+  drawn_numbers random;
+  Eigen::Matrix<double, Rows, Depth> a;
+  Eigen::Matrix<double, Depth, Columns> b;
+  for (double& x : a.reshaped()) x = random.next();
+  for (double& x : b.reshaped()) x = random.exponent();
+  const auto halves = [](auto self, int first, int count, const auto& at) -> double {
+    if (count == 1) return at(first);
+    return self(self, first, count / 2, at) + self(self, first + count / 2, count - count / 2, at);
+  };
+  const bool sequence = Depth > 27 || (Rows >= 8 && Depth >= 8);
+  Eigen::Matrix<double, Rows, Columns> wanted;
+  int depends_on_order = 0;
+  for (int i = 0; i < Rows; ++i)
+    for (int j = 0; j < Columns; ++j) {
+      const auto at = [&](int k) { return a(i, k) * b(k, j); };
+      double in_order = at(0);
+      for (int k = 1; k < Depth; ++k) in_order += at(k);
+      const double in_halves = halves(halves, 0, Depth, at);
+      depends_on_order += in_order != in_halves;
+      wanted(i, j) = sequence ? in_order : in_halves;
+    }
+  if (Rows * Columns > 4) CHECK(depends_on_order > 0);
+  CHECK(math::product(a, b) == wanted);
+  CHECK(math::product(a, b.col(Columns - 1)) == wanted.col(Columns - 1));
+  CHECK(math::product(2 * a, b) == 2 * wanted);
+  Eigen::Matrix<double, Rows + 2, Depth> larger = Eigen::Matrix<double, Rows + 2, Depth>::Constant(1e30);
+  larger.template middleRows<Rows>(1) = a;
+  CHECK(math::product(larger.template middleRows<Rows>(1), b) == wanted);
+  const Eigen::Matrix<double, Depth, Rows> turned = a.transpose();
+  CHECK(math::product(turned.transpose(), b) == wanted);
+  const Eigen::Map<const Eigen::Matrix<double, Rows, Depth>, 0, Eigen::OuterStride<>> mapped(
+      larger.data() + 1, Eigen::OuterStride<>(Rows + 2));
+  CHECK(math::product(mapped, b) == wanted);
+  Eigen::Matrix<double, 2 * Rows, Depth> spread = Eigen::Matrix<double, 2 * Rows, Depth>::Constant(1e30);
+  for (int i = 0; i < Rows; ++i) spread.row(2 * i) = a.row(i);
+  const Eigen::Map<const Eigen::Matrix<double, Rows, Depth>, 0, Eigen::Stride<2 * Rows, 2>> every_second(
+      spread.data());
+  CHECK(math::product(every_second, b) == wanted);
+}
+
 }  // namespace
+
+TEST_CASE("products by lanes have the order of the definition") {
+  check_lanes<3, 3, 3>(), check_lanes<2, 3, 1>(), check_lanes<4, 4, 4>(), check_lanes<5, 7, 2>();
+  check_lanes<6, 6, 1>(), check_lanes<6, 6, 6>(), check_lanes<7, 3, 9>(), check_lanes<3, 30, 2>();
+  check_lanes<6, 20, 1>(), check_lanes<8, 7, 3>(), check_lanes<9, 9, 3>();
+}
 
 TEST_CASE("sums are added in halves up to a size, and in sequence beyond") {
   check_sizes(std::make_integer_sequence<int, 12>{});

@@ -3,6 +3,7 @@
 #include <cca/motor/hidden_markov_learning.hpp>
 #include <cca/motor/hmm_motion.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <vector>

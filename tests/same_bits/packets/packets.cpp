@@ -10,6 +10,7 @@
 #include <cca/mapping/tip_task.hpp>
 #include <cca/motor/equations/dmp_discrete_ode.hpp>
 #include <cca/motor/equations/dmp_pose_ode.hpp>
+#include <cca/motor/equations/gaussian_mixture.hpp>
 #include <cca/motor/equations/hopf_ode.hpp>
 #include <cca/robot/body.hpp>
 #include <cca/robot/compliance/cartesian_spring.hpp>
@@ -187,6 +188,27 @@ int main() {
     h.add(discrete::derivative(x, to, d));
     const auto state = r.of<hopf_ode::state>(), input = r.of<hopf_ode::input>();
     h.add(hopf_ode::flow(state, input, {3}, 0.01));
+  });
+  line("Gaussian mixtures", [](numbers& r, hash& h) {
+    using mixture = gaussian_mixture<6, 6, 3>;
+    mixture m;
+    m.means = r.of<mixture::mean_matrix>();
+    for (auto& one : m.covariances) {
+      const auto a = r.of<Eigen::Matrix<double, 12, 12>>();
+      one = detail::above_floor<12>(math::product(a, a.transpose()), 1e-3);
+      h.add(one);
+    }
+    const auto x = r.of<mixture::input>();
+    const auto found =
+        regress(m, m.priors, x, [](const auto& to, const auto& from) { return mixture::input(to - from); });
+    h.add(found.mean), h.add(found.covariance), h.add(found.responsibilities);
+    h.add(detail::log_likelihood(m, m.priors, x));
+  });
+  line("momentum", [](numbers& r, hash& h) {
+    const auto placed = placed_at(r.of<vector>());
+    const auto of = detail::momentum_of_joints<joints>(links, placed, r.of<vector>());
+    h.add(of.momentum), h.add(of.change);
+    h.add(detail::torques_at_rest<joints>(links, placed, r.of<Eigen::Vector3d>()));
   });
   line("Eigen", [](numbers& r, hash& h) {
     const auto a = r.of<Eigen::Vector4d>();

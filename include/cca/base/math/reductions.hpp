@@ -21,9 +21,13 @@
 // the machine has them.
 #pragma once
 
+#include <cstring>
+#include <type_traits>
+
 #include <cca/base/eigen.hpp>
 #include <cca/base/math/floats.hpp>
 #include <cca/base/math/roots.hpp>
+#include <cca/base/unrolled.hpp>
 
 namespace cca::math {
 namespace detail {
@@ -35,6 +39,16 @@ template <int First, int Count, class At>
 CCA_INLINE constexpr auto in_halves(const At& at) {
   if constexpr (Count == 1) return at(First);
   else return in_halves<First, Count / 2>(at) + in_halves<First + Count / 2, Count - Count / 2>(at);
+}
+
+// The same of a(k) * b(k). A product stands in one expression with its sum: docs/compilers.md says why.
+template <int First, int Count, class A, class B>
+CCA_INLINE constexpr auto products_in_halves(const A& a, const B& b) {
+  constexpr int half = Count / 2;
+  if constexpr (Count == 1) return a(First) * b(First);
+  else if constexpr (Count == 2) return a(First) * b(First) + a(First + 1) * b(First + 1);
+  else if constexpr (half == 1) return a(First) * b(First) + products_in_halves<First + 1, Count - 1>(a, b);
+  else return products_in_halves<First, half>(a, b) + products_in_halves<First + half, Count - half>(a, b);
 }
 
 // Sizes as Eigen states them, as int: each of its types has an enumeration of its own.
@@ -51,16 +65,19 @@ constexpr bool may_agree(int a, int b) { return a == b || a == Eigen::Dynamic ||
 // Entry i of a vector, or of a matrix as it lies in memory.
 template <class M>
 CCA_INLINE constexpr auto entry(const M& m, Eigen::Index i) {
-  constexpr bool by_rows = M::IsRowMajor;
-  constexpr int fixed = by_rows ? columns_of<M> : rows_of<M>;
-  const Eigen::Index inner = fixed == Eigen::Dynamic ? m.innerSize() : fixed;
-  return by_rows ? m.coeff(i / inner, i % inner) : m.coeff(i % inner, i / inner);
+  if constexpr (columns_of<M> == 1) return m.coeff(i, 0);
+  else if constexpr (rows_of<M> == 1) return m.coeff(0, i);
+  else {
+    constexpr int fixed = M::IsRowMajor ? columns_of<M> : rows_of<M>;
+    const Eigen::Index inner = fixed == Eigen::Dynamic ? m.innerSize() : fixed;
+    return M::IsRowMajor ? m.coeff(i / inner, i % inner) : m.coeff(i % inner, i / inner);
+  }
 }
 
-template <class Scalar, int Size, int Most, class At>
+template <class Scalar, int Size, class At>
 CCA_INLINE constexpr Scalar sum_of(Eigen::Index size, const At& at) {
   if constexpr (Size == 0) return Scalar(0);
-  else if constexpr (Size != Eigen::Dynamic && Size <= Most) return in_halves<0, Size>(at);
+  else if constexpr (Size != Eigen::Dynamic && Size <= most_terms) return in_halves<0, Size>(at);
   else {
     if (size == 0) return Scalar(0);
     Scalar result = at(0);
@@ -68,6 +85,22 @@ CCA_INLINE constexpr Scalar sum_of(Eigen::Index size, const At& at) {
     return result;
   }
 }
+// Of products; Scalar: also a number of lanes.
+template <class Scalar, int Size, bool Halves, class A, class B>
+CCA_INLINE constexpr Scalar sum_of_products(Eigen::Index size, const A& a, const B& b) {
+  if constexpr (Size == 0) return Scalar{};
+  else if constexpr (Halves) return products_in_halves<0, Size>(a, b);
+  else {
+    if (size == 0) return Scalar{};
+    Scalar result = a(0) * b(0);
+    for (Eigen::Index k = 1; k < size; ++k) result = result + a(k) * b(k);
+    return result;
+  }
+}
+constexpr bool are_few(int products) { return products != Eigen::Dynamic && products <= most_products; }
+template <int Rows, int Depth>
+inline constexpr bool in_halves_too =
+    Rows != Eigen::Dynamic && are_few(Depth) && (Rows < many || Depth < many);
 
 // What lies in memory stays there; an expression is computed once.
 template <class M>
@@ -76,11 +109,65 @@ CCA_INLINE constexpr decltype(auto) stored(const M& m) {
   else return typename M::PlainObject(m);
 }
 
+// Doubles of which each column lies in memory without gaps.
+template <class M>
+inline constexpr bool has_whole_columns =
+    std::is_same_v<typename M::Scalar, double> && !M::IsRowMajor && rows_of<M> != 1 &&
+    (M::Flags & Eigen::DirectAccessBit) != 0 && M::InnerStrideAtCompileTime == 1;
+
+template <class T>
+CCA_INLINE T loaded(const double* from) {
+  T x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+// Calls f(first, T{}) for the entries of a column: T is as many of them as are computed at once.
+template <int First, int Size, class F>
+CCA_INLINE void side_by_side(const F& f) {
+  using namespace cca::detail;
+  constexpr int left = Size - First;
+  if constexpr (left > 0 && left % lane_count == 0) {
+    f(First, lanes{});
+    side_by_side<First + lane_count, Size>(f);
+  } else if constexpr (left >= 2) {
+    f(First, typename some_lanes<2>::vector{});
+    side_by_side<First + 2, Size>(f);
+  } else if constexpr (left == 1) f(First, double{});
+}
+
+// Column j of a product.
+template <int Depth, class A, class B, class Result>
+CCA_INLINE void write_column(const A& left, const B& right, Eigen::Index j, Result& result) {
+  using scalar = typename Result::Scalar;
+  constexpr int rows = rows_of<Result>;
+  constexpr bool few_rows = rows != Eigen::Dynamic && rows < many, halves = in_halves_too<rows, Depth>;
+  const auto of_right = [&](Eigen::Index k) { return right.coeff(k, j); };
+  if constexpr (few_rows && has_whole_columns<A>) {
+    side_by_side<0, rows>([&]<class T>(Eigen::Index i, T) {
+      const T some = sum_of_products<T, Depth, halves>(
+          left.cols(), [&](Eigen::Index k) { return loaded<T>(left.data() + i + k * left.outerStride()); },
+          of_right);
+      std::memcpy(result.data() + i + j * result.outerStride(), &some, sizeof some);
+    });
+  } else if constexpr (few_rows) {
+    cca::detail::unrolled<rows>([&](auto i) {
+      result.coeffRef(i(), j) = sum_of_products<scalar, Depth, halves>(
+          left.cols(), [&](Eigen::Index k) { return left.coeff(i(), k); }, of_right);
+    });
+  } else if constexpr (halves) {
+    result.col(j) = in_halves<0, Depth>([&](int k) { return left.col(k) * right.coeff(k, j); });
+  } else {
+    result.col(j) = left.col(0) * right.coeff(0, j);
+    for (Eigen::Index k = 1; k < left.cols(); ++k) result.col(j) += left.col(k) * right.coeff(k, j);
+  }
+}
+
 }  // namespace detail
 
 template <class M>
 CCA_INLINE constexpr typename M::Scalar sum(const Eigen::DenseBase<M>& m) {
-  return detail::sum_of<typename M::Scalar, detail::size_of<M>, detail::most_terms>(
+  return detail::sum_of<typename M::Scalar, detail::size_of<M>>(
       m.size(), [&](Eigen::Index i) { return detail::entry(m.derived(), i); });
 }
 
@@ -90,19 +177,17 @@ CCA_INLINE constexpr typename A::Scalar dot(const Eigen::MatrixBase<A>& a, const
   static_assert(detail::may_agree(detail::size_of<A>, detail::size_of<B>), "dot() is of vectors of one size");
   eigen_assert(a.size() == b.size());
   constexpr int size = detail::agreed(detail::size_of<A>, detail::size_of<B>);
-  return detail::sum_of<typename A::Scalar, size, detail::most_products>(a.size(), [&](Eigen::Index i) {
-    return detail::entry(a.derived(), i) * detail::entry(b.derived(), i);
-  });
+  return detail::sum_of_products<typename A::Scalar, size, detail::are_few(size)>(
+      a.size(), [&](Eigen::Index i) { return detail::entry(a.derived(), i); },
+      [&](Eigen::Index i) { return detail::entry(b.derived(), i); });
 }
 
 // Of a matrix: the sum of the squares of its entries.
 template <class M>
 CCA_INLINE constexpr typename M::Scalar squared_norm(const Eigen::MatrixBase<M>& m) {
-  return detail::sum_of<typename M::Scalar, detail::size_of<M>, detail::most_products>(
-      m.size(), [&](Eigen::Index i) {
-        const auto x = detail::entry(m.derived(), i);
-        return x * x;
-      });
+  constexpr int size = detail::size_of<M>;
+  const auto at = [&](Eigen::Index i) { return detail::entry(m.derived(), i); };
+  return detail::sum_of_products<typename M::Scalar, size, detail::are_few(size)>(m.size(), at, at);
 }
 
 template <class M>
@@ -128,21 +213,16 @@ CCA_INLINE auto product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B
   static_assert(detail::may_agree(detail::columns_of<A>, detail::rows_of<B>),
                 "product(): the left matrix needs as many columns as the right one has rows");
   eigen_assert(a.cols() == b.rows());
-  constexpr bool by_rows = rows == 1 && columns != 1,
-                 fixed = rows != Eigen::Dynamic && depth != Eigen::Dynamic;
+  constexpr bool by_rows = rows == 1 && columns != 1;
   Eigen::Matrix<typename A::Scalar, rows, columns, by_rows ? Eigen::RowMajor : Eigen::ColMajor> result(
       a.rows(), b.cols());
   const auto& left = detail::stored(a.derived());
   const auto& right = detail::stored(b.derived());
-  for (Eigen::Index j = 0; j < result.cols(); ++j) {
-    if constexpr (fixed && depth <= detail::most_products && (rows < detail::many || depth < detail::many)) {
-      const auto at = [&](int k) { return left.col(k) * right.coeff(k, j); };
-      result.col(j) = detail::in_halves<0, depth>(at);
-    } else {
-      result.col(j) = left.col(0) * right.coeff(0, j);
-      for (Eigen::Index k = 1; k < left.cols(); ++k) result.col(j) += left.col(k) * right.coeff(k, j);
-    }
-  }
+  if constexpr (rows > 0 && rows < detail::many && columns > 1 && columns < detail::many &&
+                detail::in_halves_too<rows, depth>)
+    cca::detail::unrolled<columns>([&](auto j) { detail::write_column<depth>(left, right, j(), result); });
+  else
+    for (Eigen::Index j = 0; j < result.cols(); ++j) detail::write_column<depth>(left, right, j, result);
   return result;
 }
 

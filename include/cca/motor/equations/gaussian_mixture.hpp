@@ -24,8 +24,7 @@
 #include <numbers>
 #include <string_view>
 
-#include <Eigen/Cholesky>
-
+#include <cca/base/math/positive_matrix.hpp>
 #include <cca/base/math/reductions.hpp>
 #include <cca/base/math.hpp>
 #include <cca/base/reflect.hpp>
@@ -60,10 +59,11 @@ struct gaussian_mixture {
     for (const auto& one : covariances) {
       if (one.cwiseAbs().maxCoeff() > 1e24) return "a covariance is above 1e24";
       if (math::norm(one - one.transpose()) > 1e-9 * math::norm(one)) return "a covariance is not symmetric";
-      const Eigen::LLT<Eigen::Matrix<double, I, I>> factor(block(one));
-      if (factor.info() != Eigen::Success) return "a covariance is not positive definite over the input";
-      if (!(factor.matrixLLT().diagonal().minCoeff() >= 1e-12))
-        return "a standard deviation over the input is below 1e-12";
+      const detail::positive_matrix<I> factor(block(one));
+      for (int i = 0; i < I; ++i) {
+        if (!(factor.diagonal(i) > 0)) return "a covariance is not positive definite over the input";
+        if (factor.diagonal(i) < 1e-12) return "a standard deviation over the input is below 1e-12";
+      }
     }
     return "";
   }
@@ -77,13 +77,20 @@ namespace detail {
 
 inline constexpr double log_of_turn = math::log(2 * std::numbers::pi);
 
+// Of a covariance, by its factor.
+template <int N>
+double half_log_determinant(const positive_matrix<N>& factor) {
+  double sum = 0;
+  for (int i = 0; i < N; ++i) sum += math::log(factor.diagonal(i));
+  return sum;
+}
+
 // log N(x; m, S), where off = x - m.
 template <int N>
 double log_density(const Eigen::Matrix<double, N, 1>& off, const Eigen::Matrix<double, N, N>& S) {
-  const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(S);
-  double half_log_determinant = 0;
-  for (int i = 0; i < N; ++i) half_log_determinant += math::log(factor.matrixLLT()(i, i));
-  return -0.5 * math::dot(off, factor.solve(off).eval()) - half_log_determinant - 0.5 * N * log_of_turn;
+  const positive_matrix<N> factor(S);
+  return -0.5 * math::squared_norm(factor.forward(off)) - half_log_determinant(factor) -
+         0.5 * N * log_of_turn;
 }
 
 // What the learners of Gaussians add to each variance.
@@ -95,12 +102,9 @@ template <int N>
 Eigen::Matrix<double, N, N> above_floor(const Eigen::Matrix<double, N, N>& covariance, double floor) {
   using square = Eigen::Matrix<double, N, N>;
   square made = covariance + floor * square::Identity();
-  const auto is_sound = [&made] {
-    const Eigen::LLT<square> factor(made);
-    return factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() >= 1e-12;
-  };
   double more = std::max(1e-12, 1e-16 * math::trace(made));
-  for (int i = 0; i < 40 && !is_sound(); ++i, more *= 10) made += more * square::Identity();
+  for (int i = 0; i < 40 && !positive_matrix<N>(made).is_sound(); ++i, more *= 10)
+    made += more * square::Identity();
   return made;
 }
 
@@ -149,14 +153,13 @@ regression<O, K> regress(const gaussian_mixture<I, O, K>& model,
   std::array<Eigen::Matrix<double, O, O>, static_cast<std::size_t>(K)> spreads;
   for (int k = 0; k < K; ++k) {
     const auto& S = model.covariances[static_cast<std::size_t>(k)];
-    const Eigen::LLT<Eigen::Matrix<double, I, I>> factor(model.block(S));
+    const detail::positive_matrix<I> factor(model.block(S));
     const Eigen::Matrix<double, I, 1> off =
         difference(x, Eigen::Matrix<double, I, 1>(model.means.col(k).template head<I>()));
-    const Eigen::Matrix<double, I, O> slope = factor.solve(S.template topRightCorner<I, O>());
-    double half_log_determinant = 0;
-    for (int i = 0; i < I; ++i) half_log_determinant += math::log(factor.matrixLLT()(i, i));
-    logarithm[k] =
-        math::log(priors[k]) - half_log_determinant - 0.5 * math::dot(off, factor.solve(off).eval());
+    const Eigen::Matrix<double, I, O> slope =
+        factor.solve(Eigen::Matrix<double, I, O>(S.template topRightCorner<I, O>()));
+    logarithm[k] = math::log(priors[k]) - detail::half_log_determinant(factor) -
+                   0.5 * math::squared_norm(factor.forward(off));
     answers.col(k) = model.means.col(k).template tail<O>() + math::product(slope.transpose(), off);
     spreads[static_cast<std::size_t>(k)] =
         S.template bottomRightCorner<O, O>() -

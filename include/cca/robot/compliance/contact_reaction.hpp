@@ -58,7 +58,7 @@
 #include <cca/robot/compliance/damping_design.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
 #include <cca/robot/dynamics/momentum.hpp>
-#include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/base/math/positive_matrix.hpp>
 
 namespace cca {
 

@@ -26,7 +26,7 @@
 
 #include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
-#include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/base/math/positive_matrix.hpp>
 
 namespace cca::detail {
 

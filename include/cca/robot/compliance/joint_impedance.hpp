@@ -60,7 +60,7 @@
 #include <cca/robot/compliance/compliance_spaces.hpp>
 #include <cca/robot/compliance/damping_design.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
-#include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/base/math/positive_matrix.hpp>
 #include <cca/space/methods/circle.hpp>
 
 namespace cca {

@@ -70,11 +70,11 @@ Eigen::Matrix<double, Size, Size> coriolis_of(const std::array<body_link, Count>
     const vector6 across = inertia[i] * change[i] + factor[i].times(s[i]);
     const vector6 load = inertia[i] * s[i], back = factor[i].transposed_times(s[i]);
     const int own = links[i].coordinate;
-    c(own, own) += math::dot(s[i], across);
+    c(own, own) += power(s[i], across);
     for (int p = links[i].parent; p >= 0; p = links[static_cast<std::size_t>(p)].parent) {
       const auto j = static_cast<std::size_t>(p);
-      c(links[j].coordinate, own) += math::dot(s[j], across);
-      c(own, links[j].coordinate) += math::dot(change[j], load) + math::dot(s[j], back);
+      c(links[j].coordinate, own) += power(s[j], across);
+      c(own, links[j].coordinate) += power(change[j], load) + power(s[j], back);
     }
     if (links[i].parent < 0) continue;
     inertia[static_cast<std::size_t>(links[i].parent)] += inertia[i];

@@ -89,18 +89,18 @@ void differentiate_loads(const std::array<body_link, Count>& links,
                   by_speed = 2 * (factor[i].times(s[i]) + inertia[i] * first[i]),
                   standing = 2 * factor[i].times(first[i]) + inertia[i] * second[i],
                   by_angle = standing + cross_load(s[i], load[i]);
-    d.torques[own] += math::dot(s[i], load[i]);
-    d.by_angles(row, own) += math::dot(s[i], standing);
-    d.by_velocities(row, own) += math::dot(s[i], by_speed);
-    d.by_accelerations(row, row) += math::dot(s[i], pushed);
+    d.torques[own] += power(s[i], load[i]);
+    d.by_angles(row, own) += power(s[i], standing);
+    d.by_velocities(row, own) += power(s[i], by_speed);
+    d.by_accelerations(row, row) += power(s[i], pushed);
     for (int p = links[i].parent; p >= 0; p = links[static_cast<std::size_t>(p)].parent) {
       const auto j = static_cast<std::size_t>(p);
       const int other = links[j].coordinate, other_row = First + other;
-      const double of_both = math::dot(s[j], pushed);
-      d.by_angles(other_row, own) += math::dot(s[j], by_angle);
-      d.by_angles(row, other) += math::dot(first[j], back) + math::dot(second[j], pushed);
-      d.by_velocities(other_row, own) += math::dot(s[j], by_speed);
-      d.by_velocities(row, other) += math::dot(s[j], back) + 2 * math::dot(first[j], pushed);
+      const double of_both = power(s[j], pushed);
+      d.by_angles(other_row, own) += power(s[j], by_angle);
+      d.by_angles(row, other) += power(first[j], back) + power(second[j], pushed);
+      d.by_velocities(other_row, own) += power(s[j], by_speed);
+      d.by_velocities(row, other) += power(s[j], back) + 2 * power(first[j], pushed);
       d.by_accelerations(other_row, row) += of_both;
       d.by_accelerations(row, other_row) += of_both;
     }

@@ -10,7 +10,7 @@
 
 #include <cca/robot/derived_of_body.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
-#include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/base/math/positive_matrix.hpp>
 
 namespace cca {
 

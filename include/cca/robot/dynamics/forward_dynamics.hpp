@@ -21,7 +21,7 @@
 
 #include <cca/base/math/reductions.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
-#include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/base/math/positive_matrix.hpp>
 
 namespace cca {
 
@@ -82,8 +82,8 @@ forward_dynamics_result<Size> articulated_body(const std::array<body_link, Count
     const body_link& l = links[i];
     articulated_joint& j = joints[i];
     j.load = math::product(inertia[i], j.motion);
-    j.inverse = 1 / math::dot(j.motion, j.load);
-    j.torque = torques[l.coordinate] - math::dot(j.motion, bias[i]);
+    j.inverse = 1 / power(j.motion, j.load);
+    j.torque = torques[l.coordinate] - power(j.motion, bias[i]);
     if (!Free && l.parent < 0) continue;
     const vector6 part = j.inverse * j.load;
     inertia[i].noalias() -= part * j.load.transpose();
@@ -105,7 +105,7 @@ forward_dynamics_result<Size> articulated_body(const std::array<body_link, Count
     const body_link& l = links[i];
     const articulated_joint& j = joints[i];
     a[i] = (l.parent < 0 ? of_root : a[static_cast<std::size_t>(l.parent)]) + j.c;
-    const double ddq = j.inverse * (j.torque - math::dot(j.load, a[i]));
+    const double ddq = j.inverse * (j.torque - power(j.load, a[i]));
     a[i] += ddq * j.motion;
     result.accelerations[l.coordinate] = ddq;
   }

@@ -27,10 +27,10 @@ Eigen::Matrix<double, Size, Size> joint_space_inertia(const std::array<body_link
   Eigen::Matrix<double, Size, Size> m = Eigen::Matrix<double, Size, Size>::Zero();
   for (std::size_t i = 0; i < Count; ++i) {
     const int row = links[i].coordinate;
-    m(row, row) += math::dot(bodies.motion[i], bodies.load[i]);
+    m(row, row) += power(bodies.motion[i], bodies.load[i]);
     for (int j = links[i].parent; j >= 0; j = links[static_cast<std::size_t>(j)].parent) {
       const int column = links[static_cast<std::size_t>(j)].coordinate;
-      const double of_both = math::dot(bodies.motion[static_cast<std::size_t>(j)], bodies.load[i]);
+      const double of_both = power(bodies.motion[static_cast<std::size_t>(j)], bodies.load[i]);
       m(row, column) += of_both;
       m(column, row) += of_both;
     }

@@ -39,26 +39,29 @@ namespace detail {
 inline vector6 momentum_of(const link_inertia& of, const rigid& where, const vector6& v) {
   const vector3 c = where.at + math::product(where.turn, as_vector(of.centre)), w = angular(v);
   const vector3 along = of.mass * (linear(v) + cross(w, c));
-  return spatial(math::product(where.turn, math::product(matrix_of(of.about_centre),
-                                                         math::product(where.turn.transpose(), w))) +
-                     cross(c, along),
-                 along);
+  return spatial(
+      math::product(where.turn, inertia_times(of.about_centre, math::product(where.turn.transpose(), w))) +
+          cross(c, along),
+      along);
 }
 
 template <int Size, std::size_t Count>
 joint_momentum_result<Size> momentum_of_joints(const std::array<body_link, Count>& links,
                                                const std::array<placed_link, Count>& placed,
                                                const Eigen::Matrix<double, Size, 1>& dq) {
-  const auto v = motions_of(links, placed, dq);
-  std::array<vector6, Count> h;
-  for (std::size_t i = 0; i < Count; ++i) h[i] = momentum_of(links[i].inertia, placed[i].frame, v[i]);
+  std::array<vector6, Count> s, v, h;  // of each joint its motion, of each link its motion and momentum
+  for (std::size_t i = 0; i < Count; ++i) {
+    s[i] = motion_of(links[i], placed[i]);
+    v[i] = dq[links[i].coordinate] * s[i];
+    if (links[i].parent >= 0) v[i] += v[static_cast<std::size_t>(links[i].parent)];
+    h[i] = momentum_of(links[i].inertia, placed[i].frame, v[i]);
+  }
   joint_momentum_result<Size> result;
   result.momentum.setZero();
   result.change.setZero();
   for (std::size_t i = Count; i-- > 0;) {
-    const vector6 s = motion_of(links[i], placed[i]);
-    result.momentum[links[i].coordinate] += math::dot(s, h[i]);
-    result.change[links[i].coordinate] += math::dot(cross_motion(v[i], s), h[i]);
+    result.momentum[links[i].coordinate] += power(s[i], h[i]);
+    result.change[links[i].coordinate] += power(cross_motion(v[i], s[i]), h[i]);
     if (links[i].parent >= 0) h[static_cast<std::size_t>(links[i].parent)] += h[i];
   }
   return result;

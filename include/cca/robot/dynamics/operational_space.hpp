@@ -26,7 +26,7 @@
 #pragma once
 
 #include <cca/base/math/reductions.hpp>
-#include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/base/math/positive_matrix.hpp>
 #include <cca/robot/recorded/mobility.hpp>
 
 namespace cca {

@@ -1,5 +1,5 @@
-// Symmetric positive matrices of a fixed size: solution and inverse, without Eigen's decompositions (the core
-// does not include them).
+// Symmetric positive matrices of a fixed size: solution and inverse, without Eigen's decompositions, which
+// add in the order of the machine's packets, and which the core does not include.
 //
 // `positive_matrix` is a Cholesky decomposition of a positive definite matrix; of another one its results are
 // not finite. `generalised_inverse` is for positive semidefinite ones, always finite: rows and columns with
@@ -54,6 +54,14 @@ public:
       }
     return b;
   }
+
+  // The diagonal of L, from 1e-12: else A is not positive definite, or too small to tell.
+  bool is_sound() const {
+    for (int i = 0; i < Size; ++i)
+      if (!(l(i, i) >= 1e-12)) return false;  // NaN, too
+    return true;
+  }
+  double diagonal(int i) const { return l(i, i); }
 
 private:
   matrix l;  // its lower triangle
