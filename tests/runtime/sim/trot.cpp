@@ -91,7 +91,7 @@ TEST_SUITE("trot") {
 
   TEST_CASE(
       "up and down slopes of 6 degrees and up steps of 6 mm: no fall, 0.6 m/s, little slip, even stance") {
-    // The seeds that are nearest to a bound, or were beyond one before the gait squatted uphill.
+    // The seeds that were nearest to a bound, or beyond one, with earlier gaits.
     struct hard {
       const char* ground;
       std::uint64_t seed;
