@@ -23,9 +23,8 @@ using memory_end = hw::virtual_bus_end;
 struct trot_on_drives : trot::architecture<oncilla<memory_end>> {};
 // [trot end]
 
-// The posture around which the gait swings. `beyond`: rad, added to each joint.
-inline cca::sim::world put_down(const std::array<double, 8>& beyond = {}) {
-  const trot::gait g;
+// The posture around which a gait swings. `beyond`: rad, added to each joint.
+inline cca::sim::world put_down(const std::array<double, 8>& beyond = {}, const trot::gait& g = {}) {
   cca::sim::initial_posture posture;
   for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
     const trot::leg_shape& shape = axes::is_front(leg) ? g.p.front : g.p.hind;

@@ -13,6 +13,7 @@
 
 #include "../trot/rollout.hpp"
 #include "../walking_policy/architecture.hpp"
+#include "../walking_policy/teacher.hpp"
 
 namespace training {
 

@@ -1,6 +1,6 @@
 #pragma once
-// What Python trains with: the graph of the robot with a stand-in for the policy, and beside it the trot of
-// examples/trot, whose angles are the lesson. docs/python.md; docs/tutorial/10_policy.md.
+// What Python trains with: the graph of the robot with a stand-in for the policy, and beside it a trot, whose
+// angles are the lesson. docs/python.md; docs/tutorial/10_policy.md.
 #include <cca/mapping/mapping.hpp>
 #include <cca/python/score.hpp>
 #include <cca/python/stand_in.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-// From a wanted speed to the amplitude of the gait: a straight line through the speeds that it reaches on flat
-// ground in both engines, 0.2 to 0.8 m/s (docs/simulator.md, "The trot").
+// From a wanted speed to the amplitude of the gait: a straight line through the speeds that it reaches on
+// flat ground in both engines, 0.2 to 0.8 m/s (docs/simulator.md, "The trot").
 //
 //   out "amplitude"   wanted_amplitude, in parts of the full gait; -1 before `start` and for speed 0, so that
 //                     the oscillator rests

@@ -152,7 +152,7 @@ TEST_SUITE("trot") {
   }
 
   TEST_CASE("the throttle: slower is slower, and no speed is standing") {
-    for (const double speed : {0.2, 0.4, 0.6}) {
+    for (const double speed : {0.2, 0.4, 0.6, 0.8}) {
       CAPTURE(speed);
       const trot::statistics s = trot::evaluate(run(5, 1, speed));
       CHECK(!s.fell);
@@ -211,6 +211,12 @@ TEST_SUITE("trot") {
     CHECK(together[0] == alone);
     CHECK(together[1] == alone);
     CHECK(together[2] != alone);
+  }
+
+  TEST_CASE("the file of the example has the parameters of the code") {
+    trot::trotting from_file;
+    cca::read_parameters(from_file, CCA_EXAMPLES "/trot/trot.toml");
+    CHECK(text_of(from_file) == text_of({}));
   }
 
   TEST_CASE(
