@@ -12,7 +12,6 @@
 
 #include "../hardware_in_the_loop/in_memory.hpp"
 #include "../walking_policy/architecture.hpp"
-#include "../walking_policy/teacher.hpp"
 
 namespace {
 
@@ -31,7 +30,6 @@ struct program : cca::robot_program<walk_on_drives> {
     line.number("--walk V", wanted, 0.1, 1, "m/s (0.4)");
   }
   void prepare(controller_type& c) override {
-    buses.plant.put_down(hil::put_down({}, walking::teacher()));
     buses.connect(c);
     if (!c.get<"gait.policy">().p.file.assign(weights))
       throw cca::command_line_error(weights + ": this name is too long");
