@@ -54,17 +54,17 @@ struct by_hand {
   static constexpr double dt = 1'000'000 / 1e9, dt10 = 10'000'000 / 1e9;
 
   // Parameters, as in the components.
-  double speed = 0.66, start = 0.2, intercept = 0.191, slope = 1.076;
-  double heading = 1.0, drift = 0.4, most = 0.5, upright = 0.72, average = 1, level = 1.2, damp = 0.02,
+  double speed = 0.75, start = 0.2, intercept = 0.165, slope = 0.95;
+  double heading = 1.29, drift = 0.5, most = 0.5, upright = 0.78, average = 1, level = 0.79, damp = 0.017,
          most_lean = 0.5;
   double frequency = 4.0, convergence = 10.0;
   struct leg {
     double hip, knee, swing, lift;
   };
-  leg front{trot::degrees(45.5), trot::degrees(93.2), trot::degrees(14.8), trot::degrees(40.4)};
-  leg hind{trot::degrees(36.1), trot::degrees(87.0), trot::degrees(18.3), trot::degrees(53.2)};
-  double duty = 0.587, even = 0.695, give = trot::degrees(-0.2), lead = -0.05, squat = 0.8;
-  std::array<double, 4> offsets{0.0, 0.5, 0.373, -0.127};
+  leg front{trot::degrees(47), trot::degrees(96.6), trot::degrees(18.3), trot::degrees(51.6)};
+  leg hind{trot::degrees(36.1), trot::degrees(91.8), trot::degrees(19.3), trot::degrees(58.4)};
+  double duty = 0.536, even = 0.925, give = trot::degrees(0.4), lead = -0.035, squat = 0.8;
+  std::array<double, 4> offsets{0.0, 0.5, 0.379, -0.121};
 
   // State.
   long k = 0;

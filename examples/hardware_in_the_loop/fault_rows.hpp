@@ -26,8 +26,7 @@ void starts(Go go) {
   using run_type = in_memory<limited<Delay>>;
   using s = start_scenario<run_type>;
   const auto with = [&](const s& what) { go([&] { return start_run<run_type>(what).go(); }, false); };
-  const trot::gait g;
-  const double hip = g.p.front.hip, end = joints::angle[0].upper;
+  const double hip = front_stance.hip, end = joints::angle[0].upper;
   with(s{.fault = "start with a hip 0.6 rad outside of its range",
          .refusal = {"left_front_hip is at 2.",
                      "outside of its range -1.200 to 1.900 rad by more than 0.50 rad"},

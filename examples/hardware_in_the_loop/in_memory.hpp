@@ -23,13 +23,21 @@ using memory_end = hw::virtual_bus_end;
 struct trot_on_drives : trot::architecture<oncilla<memory_end>> {};
 // [trot end]
 
-// The posture around which the gait swings. `beyond`: rad, added to each joint.
+// How an operator sets the robot on its feet, rad. Its knees are straighter than those of the trot: until
+// its drives are on, nothing holds it, and the springs extend knees that are flexed so far faster than their
+// axes allow, which refuses the start.
+struct stance {
+  double hip, knee;
+};
+inline constexpr stance front_stance{trot::degrees(45.5), trot::degrees(93.2)},
+    hind_stance{trot::degrees(36.1), trot::degrees(87.0)};
+
+// `beyond`: rad, added to each joint.
 inline cca::sim::world put_down(const std::array<double, 8>& beyond = {}) {
-  const trot::gait g;
   cca::sim::initial_posture posture;
   for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
-    const trot::leg_shape& shape = axes::is_front(leg) ? g.p.front : g.p.hind;
-    posture.legs[leg] = {shape.hip + beyond[axes::hip_of(leg)], shape.knee + beyond[axes::knee_of(leg)], 0};
+    const stance& at = axes::is_front(leg) ? front_stance : hind_stance;
+    posture.legs[leg] = {at.hip + beyond[axes::hip_of(leg)], at.knee + beyond[axes::knee_of(leg)], 0};
   }
   return cca::sim::world(cca::sim::terrain::flat(), posture);
 }

@@ -11,9 +11,9 @@
 #include <cca/python/task.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
 
-#include "../trot/gait.hpp"
 #include "../trot/rollout.hpp"
 #include "../walking_policy/architecture.hpp"
+#include "../walking_policy/teacher.hpp"
 
 namespace training {
 
@@ -94,7 +94,7 @@ struct walk : cca::python::task<around_policy<cca::sim::compiled_oncilla>, "gait
     const auto drawn = cca::sim::disturbance::from_seed(seed, seconds);
     c.get<"robot.simulator">().put_down(
         cca::sim::compiled_oncilla_world(cca::sim::terrain::flat().with_friction(drawn.friction),
-                                         trot::put_down(trot::gait().p, drawn)),
+                                         trot::put_down(walking::teacher().p, drawn)),
         drawn);
   }
   static void before_beat(controller& c) {

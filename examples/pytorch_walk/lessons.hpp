@@ -1,15 +1,14 @@
 #pragma once
-// What Python trains with: the graph of the robot with a stand-in for the policy, and beside it the trot of
-// examples/trot, whose angles are the lesson. docs/python.md; docs/tutorial/10_policy.md.
+// What Python trains with: the graph of the robot with a stand-in for the policy, and beside it a trot, whose
+// angles are the lesson. docs/python.md; docs/tutorial/10_policy.md.
 #include <cca/mapping/mapping.hpp>
 #include <cca/python/score.hpp>
 #include <cca/python/stand_in.hpp>
 #include <cca/python/task.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
 
-#include "../trot/gait.hpp"
-#include "../trot/posture.hpp"
 #include "../trot/engines/any.hpp"
+#include "../walking_policy/teacher.hpp"
 #include "robot.hpp"
 
 namespace pytorch_walk {
@@ -45,8 +44,8 @@ struct school : cca::graph<cca::rate<1000>,
                                              cca::expose<"policy.lesson", "lesson">,
                                              cca::expose<"cpg.phase", "phase">,
                                              cca::expose<"cpg.amplitude", "amplitude">>>,
-                           cca::node<"posture", trot::posture, cca::timed<period>>,
-                           cca::node<"trot", trot::gait, cca::port_triggered<"phase">>,
+                           cca::node<"posture", walking::teachers_posture, cca::timed<period>>,
+                           cca::node<"trot", walking::teacher, cca::port_triggered<"phase">>,
                            cca::node<"slow", slow, cca::timed<period>>,
                            cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
                            cca::node<"robot", cca::sim::compiled_oncilla>,
@@ -75,7 +74,7 @@ struct lessons : cca::python::task<school, "gait.policy", "score"> {
     const auto drawn = cca::sim::disturbance::from_seed(seed, seconds);
     c.get<"robot.simulator">().put_down(
         cca::sim::compiled_oncilla_world(cca::sim::terrain::flat().with_friction(drawn.friction),
-                                         trot::put_down(trot::gait().p, drawn)),
+                                         trot::put_down(walking::teacher().p, drawn)),
         drawn);
   }
   static void before_beat(controller& c) {

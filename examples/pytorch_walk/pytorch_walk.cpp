@@ -13,6 +13,7 @@
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
 
 #include "../trot/engines/any.hpp"
+#include "../walking_policy/teacher.hpp"
 #include "robot.hpp"
 
 #include "walk.hpp"  // by cca-policy, from walk.onnx
@@ -88,7 +89,7 @@ int run(const char* weights) {
   stands.pose << 0.794, 0.794, 0.630, 0.630, 1.627, 1.627, 1.518, 1.518;
   c.set<"stand">(stands);
   c.get<"robot.simulator">().put_down(
-      cca::sim::compiled_oncilla_world(cca::sim::terrain::flat(), trot::put_down(trot::gait().p, {})));
+      cca::sim::compiled_oncilla_world(cca::sim::terrain::flat(), trot::put_down(walking::teacher().p, {})));
   c.start();
   const auto& world = c.get<"robot.simulator">().world();
   for (int second = 1; second <= 8; ++second) {

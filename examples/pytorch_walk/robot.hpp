@@ -11,7 +11,7 @@
 #include <cca/robots/oncilla/spaces.hpp>
 
 #include "../trot/stride_oscillator.hpp"
-#include "../trot/throttle.hpp"
+#include "../walking_policy/teacher.hpp"
 
 namespace pytorch_walk {
 
@@ -63,7 +63,7 @@ using before_the_first = cca::initial<std::numeric_limits<double>::quiet_NaN()>;
 // [graph]
 // What walks, on any robot with the Oncilla's ports. `More`: what a training adds.
 template <class Policy, class... More>
-using gait_of = cca::graph<cca::node<"throttle", trot::throttle, cca::timed<period>>,
+using gait_of = cca::graph<cca::node<"throttle", walking::teachers_throttle, cca::timed<period>>,
                            cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
                            cca::node<"clock", clock, cca::timed<period>>,
                            cca::node<"down", down, cca::timed<period>>,

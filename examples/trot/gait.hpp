@@ -50,13 +50,13 @@ struct gait {
                               offsets),  // left and right front, left and right hind, in strides
                              (cca::bounded<double, 0, 3>, squat));  // of the knees, rad per rad of lean
   };
-  parameters p{{degrees(45.5), degrees(93.2), degrees(14.8), degrees(40.4)},
-               {degrees(36.1), degrees(87.0), degrees(18.3), degrees(53.2)},
-               0.587,
-               0.695,
-               degrees(-0.2),
-               -0.05,
-               {0.0, 0.5, 0.373, -0.127},
+  parameters p{{degrees(47), degrees(96.6), degrees(18.3), degrees(51.6)},
+               {degrees(36.1), degrees(91.8), degrees(19.3), degrees(58.4)},
+               0.536,
+               0.925,
+               degrees(0.4),
+               -0.035,
+               {0.0, 0.5, 0.379, -0.121},
                0.8};
 
   auto process(cca::in<"phase", gait_phase> phase,

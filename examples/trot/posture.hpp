@@ -36,7 +36,7 @@ struct posture {
                              (cca::bounded<double, 0, 0.2>, damp),  // of the knees, rad per rad/s of roll
                              (cca::quantity<cca::angle, 0, 1>, most_lean));  // of hips and of knees
   };
-  parameters p{1.0, 0.4, 0.5, 0.72, 1.0, 1.2, 0.02, 0.5};
+  parameters p{1.29, 0.5, 0.5, 0.78, 1.0, 0.79, 0.017, 0.5};
 
   auto process(cca::in<"orientation", oncilla::trunk_orientation> trunk, cca::beat now)
       -> std::tuple<cca::out<"turn", turning>, cca::out<"lean", leaning>> {

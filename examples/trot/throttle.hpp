@@ -1,5 +1,6 @@
 #pragma once
-// From a wanted speed to the amplitude of the gait: a straight line, measured on flat ground.
+// From a wanted speed to the amplitude of the gait: a straight line through the speeds that it reaches on
+// flat ground in both engines, 0.2 to 0.8 m/s (docs/simulator.md, "The trot").
 //
 //   out "amplitude"   wanted_amplitude, in parts of the full gait; -1 before `start` and for speed 0, so that
 //                     the oscillator rests
@@ -17,7 +18,7 @@ struct throttle {
                              (double, intercept),
                              (double, slope));  // amplitude = intercept + slope * speed
   };
-  parameters p{0.66, 0.2, 0.191, 1.076};
+  parameters p{0.75, 0.2, 0.165, 0.95};
 
   auto process(cca::beat now) -> cca::out<"amplitude", wanted_amplitude> {
     const double time = static_cast<double>(now.time()) * 1e-9;

@@ -8,10 +8,10 @@
 #include <cca/sim/oncilla.hpp>
 #include <cca/sim/engine/terrain.hpp>
 
-#include "../trot/gait.hpp"
 #include "../trot/report/recording.hpp"
 #include "../trot/rollout.hpp"
 #include "architecture.hpp"
+#include "teacher.hpp"
 #include "way.hpp"
 
 namespace walking {
@@ -19,7 +19,7 @@ namespace walking {
 struct simulated : architecture<cca::sim::oncilla> {};
 using controller = cca::controller<simulated>;
 
-// Puts the robot down where the trot stands, and begins to record. The controller must be loaded and not
+// Puts the robot down where its teacher stands, and begins to record. The controller must be loaded and not
 // started.
 template <class Controller>
 trot::recording begin(Controller& c,
@@ -27,7 +27,7 @@ trot::recording begin(Controller& c,
                       const cca::sim::disturbance& disturbance,
                       double seconds,
                       const cca::sim::robot_world_settings& physics = {}) {
-  return trot::begin(c, trot::gait().p, ground, disturbance, seconds, physics);
+  return trot::begin(c, teacher().p, ground, disturbance, seconds, physics);
 }
 
 template <class Controller>

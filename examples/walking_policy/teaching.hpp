@@ -7,9 +7,8 @@
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla.hpp>
 
-#include "../trot/gait.hpp"
-#include "../trot/posture.hpp"
 #include "architecture.hpp"
+#include "teacher.hpp"
 
 namespace walking {
 
@@ -56,8 +55,8 @@ struct notebook : notebook_of<observations> {};
 template <class Robot>
 struct school : cca::graph<cca::rate<1000>,
                            cca::node<"gait", learned_gait>,
-                           cca::node<"posture", trot::posture, cca::timed<period>>,
-                           cca::node<"teacher", trot::gait, cca::port_triggered<"phase">>,
+                           cca::node<"posture", teachers_posture, cca::timed<period>>,
+                           cca::node<"teacher", teacher, cca::port_triggered<"phase">>,
                            cca::node<"driver", driver, cca::timed<1>>,
                            cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
                            cca::node<"notebook", notebook, cca::timed<1>>,

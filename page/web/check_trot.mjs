@@ -175,7 +175,7 @@ export async function checkTrot(tools) {
   await settle(page, 2);
   await runAhead(page, 4);
   const slow = await position(page);
-  check('with 0.4 m/s it is slower than with 0.66', slow[0] < nativeAt(4)[0] - 0.3 && slow[0] > 0.5, { at04: slow[0], at066: nativeAt(4)[0] });
+  check('with 0.4 m/s it is slower than with 0.75', slow[0] < nativeAt(4)[0] - 0.3 && slow[0] > 0.5, { at04: slow[0], at075: nativeAt(4)[0] });
 
   // Plots.
   const plotCount = () => page.$$eval('.plot', (all) => all.length);

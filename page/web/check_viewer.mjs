@@ -92,7 +92,7 @@ export async function checkViewer({ options, check, browser, picture }) {
   check('viewer: without the token it changes nothing, and is told why', await has(page, 'Problems\n1') && (await page.evaluate(() => [...document.querySelectorAll('button')].find((e) => /^Problems/.test(e.innerText)).click()), await has(page, 'needs the token')), (await text(page)).slice(0, 300));
   await page.close();
   page = await open(once, '/cca/parameters/throttle');
-  check('viewer: a message of the parameters', await has(page, 'cca/msg/throttle_parameters @', '0.66'), (await text(page)).slice(-200));
+  check('viewer: a message of the parameters', await has(page, 'cca/msg/throttle_parameters @', '0.75'), (await text(page)).slice(-200));
   await enter('throttle.speed', 0.5);
   check('viewer: with the address that is valid once it changes a parameter', await until(page, () => /throttle_parameters @[\s\S]*speed\s*0\.5\n/.test(document.body.innerText)), (await text(page)).slice(-200));
   await picture(page, 'viewer-tunes');

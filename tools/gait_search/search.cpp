@@ -3,7 +3,7 @@
 //
 //   trot_search --config trot.toml --generations 40 --out found.toml
 //   mpirun -n 4 trot_search --config trot.toml --generations 40 --out found.toml
-//   trot_search --engine compiled --uncertain --draws 3 --out robust.toml
+//   trot_search --engine compiled --uncertain --draws 3 --out found.toml
 //
 // The value of a gait is its speed, less penalties for falling, drifting, rolling, pitching, for feet that
 // slip, for feet that stand longer or shorter than commanded, and for a run beyond the bounds of trot_seeds.

@@ -114,8 +114,8 @@ TEST_SUITE("compiled world: node") {
     CHECK(laws::allocations() == before);
     const double speed = (world.frame(-1).where.at[0] - from) / 4;
     MESSAGE("speed ", speed, " m/s, height ", world.frame(-1).where.at[2], " m");
-    CHECK(speed > 0.6);
-    CHECK(speed < 0.75);
+    CHECK(speed > 0.7);
+    CHECK(speed < 0.8);
     CHECK(world.frame(-1).where.turn(2, 2) > 0.9);
     for (int k = 0; k < 4000; ++k) copy.step();
     CHECK(same_bits(world.save().motion, copy.get<"robot.simulator">().world().save().motion));

@@ -375,7 +375,7 @@ TEST_SUITE("safety chain") {
     const auto& report = run.controller.get<"robot.synchronizer">().report(0);
     CHECK(hil::left_front_hip::angle_of(report.position) ==
           doctest::Approx(run.plant.motions()[0].position).epsilon(0.01));
-    CHECK(std::abs(run.laws[0].position - (trot::gait().p.front.hip + 4 * degree)) < 1 * degree);
+    CHECK(std::abs(run.laws[0].position - (hil::front_stance.hip + 4 * degree)) < 1 * degree);
   }
 
   TEST_CASE("a beat allocates nothing, while moving, tripping or damped") {

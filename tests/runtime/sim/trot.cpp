@@ -43,10 +43,11 @@ trot::recording run(double seconds,
 }
 
 // All parameters, as a file has them.
-std::string text_of(trot::trotting controller) {
+std::string text_of(trot::trotting controller, const char* loaded_from = nullptr) {
   const auto path =
       std::filesystem::temp_directory_path() / ("cca_trot_all_" + std::to_string(::getpid()) + ".toml");
-  controller.load();
+  if (loaded_from) controller.load(loaded_from);
+  else controller.load();
   controller.save(path.string());
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -91,7 +92,7 @@ TEST_SUITE("trot") {
 
   TEST_CASE(
       "up and down slopes of 6 degrees and up steps of 6 mm: no fall, 0.6 m/s, little slip, even stance") {
-    // The seeds that are nearest to a bound, or were beyond one before the gait squatted uphill.
+    // The seeds that were nearest to a bound, or beyond one, with earlier gaits.
     struct hard {
       const char* ground;
       std::uint64_t seed;
@@ -152,7 +153,7 @@ TEST_SUITE("trot") {
   }
 
   TEST_CASE("the throttle: slower is slower, and no speed is standing") {
-    for (const double speed : {0.2, 0.4, 0.6}) {
+    for (const double speed : {0.2, 0.4, 0.6, 0.8}) {
       CAPTURE(speed);
       const trot::statistics s = trot::evaluate(run(5, 1, speed));
       CHECK(!s.fell);
@@ -211,6 +212,23 @@ TEST_SUITE("trot") {
     CHECK(together[0] == alone);
     CHECK(together[1] == alone);
     CHECK(together[2] != alone);
+  }
+
+  TEST_CASE("the file of the example has the parameters of the code") {
+    std::istringstream file(text_of({}, CCA_EXAMPLES "/trot/trot.toml")), code(text_of({}));
+    std::string of_file, of_code;
+    std::size_t words = 0;
+    while (file >> of_file) {
+      code >> of_code;
+      REQUIRE(!code.fail());
+      ++words;
+      if (of_file == of_code) continue;  // else a number, with or without a unit, that differs by rounding
+      const auto number = [](const std::string& word) { return std::stod(word.substr(word.front() == '"')); };
+      CHECK(number(of_file) == doctest::Approx(number(of_code)).epsilon(1e-12));
+    }
+    code >> of_code;
+    CHECK(code.fail());
+    CHECK(words > 100);
   }
 
   TEST_CASE(
