@@ -88,8 +88,8 @@ int run(const char* weights) {
   auto stands = c.get<"stand">().p;
   stands.pose << 0.794, 0.794, 0.630, 0.630, 1.627, 1.627, 1.518, 1.518;
   c.set<"stand">(stands);
-  c.get<"robot.simulator">().put_down(
-      cca::sim::compiled_oncilla_world(cca::sim::terrain::flat(), trot::put_down(walking::teacher().p, {})));
+  c.get<"robot.simulator">().put_down(cca::sim::compiled_oncilla_world(
+      cca::sim::terrain::flat(), trot::put_down(::walking::teacher().p, {})));
   c.start();
   const auto& world = c.get<"robot.simulator">().world();
   for (int second = 1; second <= 8; ++second) {
