@@ -37,7 +37,7 @@ struct options {
     line.number("--seconds S", settings.seconds, 0.001, 36000, "how long, in simulated seconds (20)");
     offer_seed(line, seed);
     offer_terrain(line, ground);
-    line.number("--speed V", speed, 0, 1, "m/s, 0 or from 0.2 up for a steady trot (the parameters' speed)");
+    line.number("--speed V", speed, 0, 1, "m/s, 0, or 0.2 to 0.8 for a steady trot (the parameters' speed)");
     line.text("--summary FILE", summary, "the table as one JSON object");
     line.text("--csv FILE", csv, "every fifth beat");
     line.text("--svg FILE", svg, "footfalls, path and joint angles");
