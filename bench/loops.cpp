@@ -8,10 +8,10 @@
 // Each function is called ten times, so callgrind's counts are ten times those of a call. As in a beat, all
 // is inlined into them; with -DAPART it is not. docs/decisions/0049 has the figures.
 #include <array>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/robot/dynamics/coriolis_matrix.hpp>
 #include <cca/robot/dynamics/derivatives.hpp>
 #include <cca/robot/dynamics/forward_dynamics.hpp>
@@ -42,14 +42,6 @@ struct large_tree : cca::body<body_test::random_frame<-1>,
 #else
 #define COUNTED [[gnu::noinline, gnu::flatten]] static
 #endif
-
-struct numbers {
-  std::uint64_t state = 1;
-  double next() {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
-  }
-};
 
 template <class Body>
 struct functions {
@@ -95,11 +87,11 @@ struct functions {
     out = cd::derivatives_of_torques<n, count>(links, p, dq, ddq, {});
   }
 
-  static double all(numbers& random) {
+  static double all(cca::random_numbers& random) {
     vector q, dq, ddq, v;
-    for (double& x : q) x = 2 * random.next();
-    for (double& x : dq) x = random.next();
-    for (double& x : ddq) x = random.next();
+    for (double& x : q) x = random.between(-2, 2);
+    for (double& x : dq) x = random.between(-1, 1);
+    for (double& x : ddq) x = random.between(-1, 1);
     placed p;
     matrix m;
     Eigen::Matrix<double, 6, n + 6> momenta;
@@ -122,7 +114,7 @@ struct functions {
 
 int main(int argc, char** argv) {
   const int rounds = argc > 1 ? std::atoi(argv[1]) : 10;
-  numbers random;
+  cca::random_numbers random(1);
   double sum = 0;
   for (int i = 0; i < rounds; ++i)
     sum += functions<body_test::humanoid>::all(random) + functions<large_tree>::all(random);

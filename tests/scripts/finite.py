@@ -82,6 +82,7 @@ WITHOUT = {
     "robot/dynamics/momentum.hpp": FUNCTION,
     "robot/dynamics/momentum_observer.hpp": "tested in tests/runtime/body/momentum_observer.cpp, with its arm",
     "robot/dynamics/operational_space.hpp": FUNCTION,
+    "robot/dynamics/positive_matrix.hpp": "forwards to base/math/positive_matrix.hpp",
     "robot/dynamics/spatial_inertia.hpp": FUNCTION,
     "robot/watchdog.hpp": "looks at times only",
 }

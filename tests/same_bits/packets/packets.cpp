@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include <cca/base/math/random_numbers.hpp>
 #include <cca/base/math/reductions.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 #include <cca/mapping/serial_chain.hpp>
@@ -54,11 +55,8 @@ using vector = Eigen::Matrix<double, joints, 1>;
 
 // The same numbers by every compiler: uniform in [-1, 1).
 struct numbers {
-  std::uint64_t state = 1;
-  double next() {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
-  }
+  cca::random_numbers random{1};
+  double next() { return random.between(-1, 1); }
   template <class M>
   M of() {
     M m;
