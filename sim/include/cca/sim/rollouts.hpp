@@ -11,6 +11,9 @@
 // What run(i) has returned stands at i: a value that can be moved. A run that depends on nothing but `i`, and
 // on what no run changes, gives the same bits on any number of threads.
 //
+// run(i) may also return a run that goes in steps (in_steps.hpp); its result stands at i then. A thread makes
+// several of them at once, their worlds side by side in the lanes of a vector.
+//
 // Errors: an exception of a run, or of what the settings have, ends all: no further run begins, those under
 // way end, and it is thrown to the caller. If several runs fail, it is the exception of the lowest number.
 #pragma once
@@ -29,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+#include <cca/sim/rollouts/in_steps.hpp>
+
 namespace cca::sim {
 
 struct rollout_settings {
@@ -41,7 +46,7 @@ namespace detail {
 
 template <class Run> concept ReturnsValue =
     std::is_invocable_v<Run&, std::size_t> &&
-    std::move_constructible<std::invoke_result_t<Run&, std::size_t>> &&
+    std::move_constructible<typename result_of_run<std::invoke_result_t<Run&, std::size_t>>::type> &&
     std::is_object_v<std::invoke_result_t<Run&, std::size_t>> &&
     !std::is_const_v<std::invoke_result_t<Run&, std::size_t>>;
 
@@ -50,17 +55,16 @@ class shared_rollouts {
 public:
   shared_rollouts(std::size_t runs, const rollout_settings& settings) : count(runs), s(settings) {}
 
-  template <class Run>
-  void work(Run& run) {
-    for (std::size_t i = 0; i < count;) {
-      try {
-        i = count;
-        if (!is_stopped()) i = next++;
-        if (i >= count) return;
-        run(i);
-        tell();
-      } catch (...) { failed(i); }
-    }
+  // The runs that a thread makes. `keep(i, result)`.
+  template <class Run, class Keep>
+  void work(Run& run, const Keep& keep) {
+    make_runs(
+        run, [this](bool) { return taken(); },
+        [&](std::size_t i, auto&& result) {
+          keep(i, std::forward<decltype(result)>(result));
+          tell();
+        },
+        [this](std::size_t i) { failed(i); });
   }
   // No further run begins. What a run returns that is cut short is not kept.
   bool is_stopped() const { return has_failed || (s.stops && s.stops()); }
@@ -69,6 +73,16 @@ public:
   }
 
 private:
+  std::optional<std::size_t> taken() {
+    try {
+      if (is_stopped()) return {};
+    } catch (...) {
+      failed(count);
+      return {};
+    }
+    const std::size_t i = next++;
+    return i < count ? std::optional(i) : std::nullopt;
+  }
   void tell() {
     if (!s.over) return;
     const std::lock_guard lock(telling);
@@ -110,19 +124,18 @@ auto rollouts(std::size_t count, Run run, const rollout_settings& settings = {})
                   "cca::sim::rollouts: a run takes its number, and returns what is to be kept of it: a value "
                   "that can be moved");
   } else {
-    using result = std::invoke_result_t<Run&, std::size_t>;
+    using result = typename detail::result_of_run<std::invoke_result_t<Run&, std::size_t>>::type;
     std::vector<std::optional<result>> kept(count);
     detail::shared_rollouts all(count, settings);
-    const auto keep = [&](std::size_t i) {
-      result one = run(i);
+    const auto keep = [&](std::size_t i, result one) {
       if (!settings.stops || !settings.stops()) kept[i].emplace(std::move(one));
     };
     {
       const std::size_t cores = settings.threads > 0 ? settings.threads : std::thread::hardware_concurrency();
       std::vector<std::jthread> others;
-      const auto work = [&] { all.work(keep); };
+      const auto work = [&] { all.work(run, keep); };
       for (std::size_t t = 1; t < std::min(cores, count) && detail::begins(others, work);) ++t;
-      all.work(keep);
+      work();
     }
     all.rethrow();
     std::vector<result> over;

@@ -1,0 +1,76 @@
+// Worlds that advance together, several in the lanes of a vector, and stay worlds of their own: each with its
+// ground, its masses, its drives, its accounts and its trouble.
+//
+//   struct beside : cca::sim::robot<R, cca::sim::side_by_side<cca::sim::compiled>> {};
+//   one.step(), other.step();                       two controllers with such a robot: each world waits
+//   cca::sim::advance_together(worlds);             a span of pointers to both: their beats of physics
+//
+// `advance(laws)` of such a world only keeps the laws: the world waits until it advances with others, so a
+// beat of its controller has no physics, and a fault comes a beat later. Each world has the bits that it has
+// alone, whatever advances with it (without contraction: lanes.hpp).
+//
+// `cca::sim::rollouts` does all this for runs that go in steps.
+//
+//   World   compiled_world<R>, or a type derived from it that has no state besides
+//
+// Neither allocates nor throws. Cost: docs/physics.md.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include <cca/sim/compiled/compiled_world.hpp>
+#include <cca/sim/compiled/lanes/lanes.hpp>
+#include <cca/sim/robot/world_named.hpp>
+
+namespace cca::sim {
+
+template <class World>
+class side_by_side : public World {
+public:
+  static constexpr std::size_t at_once = 4;  // so many share a vector
+
+  using World::World;
+  explicit side_by_side(World&& w) : World(std::move(w)) {}
+  static side_by_side at_start() { return side_by_side(World::at_start()); }
+
+  void advance(std::span<const joint_law> laws) {
+    count_ = std::min(laws.size(), asked_.size());
+    std::copy_n(laws.begin(), count_, asked_.begin());
+    waits_ = true;
+  }
+  // Whether it has laws that it has not followed yet.
+  bool waits() const { return waits_; }
+  std::span<const joint_law> asked() const { return {asked_.data(), count_}; }
+
+  void advance_alone() {
+    if (waits_) World::advance(asked());
+    waits_ = false;
+  }
+
+private:
+  std::array<joint_law, std::tuple_size_v<std::remove_cvref_t<decltype(std::declval<const World&>().laws())>>>
+      asked_{};
+  std::size_t count_ = 0;
+  bool waits_ = false;
+};
+
+namespace detail {
+
+template <class R, class World>
+struct world_named<R, side_by_side<World>> {
+  using type = side_by_side<typename world_named<R, World>::type>;
+};
+
+}  // namespace detail
+
+// A beat of physics for each of them that waits.
+template <class World>
+void advance_together(std::span<side_by_side<World>* const> worlds) {
+  for (side_by_side<World>* const w : worlds) w->advance_alone();
+}
+
+}  // namespace cca::sim
