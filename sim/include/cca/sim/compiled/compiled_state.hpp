@@ -28,6 +28,26 @@ struct pull_on_end {
   std::array<Real, 3> force{}, torque{};  // N, N m, along the world's axes
 };
 
+namespace detail {
+
+template <std::size_t Shapes>
+using shape_accounts = std::array<contact_account, Shapes>;
+// Of each lane its own.
+template <class Real, std::size_t Shapes>
+struct accounts_in_lanes {
+  std::array<shape_accounts<Shapes>, static_cast<std::size_t>(Real::count)> of_lane{};
+};
+template <class Real, std::size_t Shapes, bool HasLanes = is_in_lanes<Real>>
+struct accounts_for {
+  using type = shape_accounts<Shapes>;
+};
+template <class Real, std::size_t Shapes>
+struct accounts_for<Real, Shapes, true> {
+  using type = accounts_in_lanes<Real, Shapes>;
+};
+
+}  // namespace detail
+
 // All that a beat of physics depends on, or adds to.
 template <class R, class Real>
 struct compiled_state {
@@ -48,7 +68,7 @@ struct compiled_state {
   std::array<std::array<double, 3>, detail::inertial_places<R>.size()>
       unit_speeds{};                // m/s, after the last beat
   std::array<double, 3> planned{};  // the push that a plan said last
-  std::array<contact_account, detail::probes_of<R>::shape_count> contacts{};  // of the shapes
+  typename detail::accounts_for<Real, detail::probes_of<R>::shape_count>::type contacts{};  // of the shapes
   Real positive_work{}, absolute_work{};                                      // J, of the motors
   std::int64_t beats = 0;
   world_trouble trouble{};

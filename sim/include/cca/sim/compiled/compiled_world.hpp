@@ -34,13 +34,10 @@
 #include <cca/sim/compiled/compiled_mistakes.hpp>
 #include <cca/sim/compiled/compiled_state.hpp>
 #include <cca/sim/compiled/compiled_trouble.hpp>
-#include <cca/sim/compiled/contacts/contacts.hpp>
 #include <cca/sim/compiled/given_vector.hpp>
 #include <cca/sim/compiled/on_links.hpp>
-#include <cca/sim/compiled/readings/felt_contact.hpp>
-#include <cca/sim/compiled/readings/motor_work.hpp>
-#include <cca/sim/compiled/readings/outer_forces.hpp>
 #include <cca/sim/compiled/readings/units.hpp>
+#include <cca/sim/compiled/step/step_in_world.hpp>
 #include <cca/sim/compiled/tree_step.hpp>
 #include <cca/sim/compiled/whole_robot.hpp>
 #include <cca/sim/robot/model/checked_settings.hpp>
@@ -52,17 +49,20 @@
 
 namespace cca::sim {
 
+namespace detail {
+template <class R, int N>
+class beat_in_lanes;  // together/beat_in_lanes.hpp
+}
+
 template <class R, class Real = double>
 class compiled_world {
   static_assert(detail::check_compiled<R>());
   using tree = detail::compiled_tree<R>;
-  using step_type = detail::tree_step<R, Real>;
   using links = detail::on_links<R, Real>;
   using whole = detail::whole_robot<R, Real>;
   using vector3 = detail::triple<Real>;
   using given = detail::given_vector<Real>;
   static constexpr auto n = static_cast<std::size_t>(tree::coordinates);
-  static constexpr bool has_own = robots::touches_itself<R>;
   static constexpr bool has_shapes = detail::probes_of<R>::shape_count > 0;
 
 public:
@@ -103,23 +103,16 @@ public:
   void advance(std::span<const joint_law> laws) {
     if (state_.trouble) return;
     const state_type before = state_;
-    auto& d = state_.drives;
-    detail::take_laws(laws, d.laws);
-    for (std::size_t c = 0; c < n; ++c) {
-      d.pulleys[c].wanted = Real(1 / beat) * (Real(d.laws[c].position) - d.pulleys[c].wound);
-      state_.joints[c].torque = Real(0.0);
-    }
-    state_.loads = {}, state_.end_forces = {};
-    for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step((i + 0.5) * step_seconds());
+    detail::take_laws(laws, state_.drives.laws);
+    detail::step_in_world<R, Real> steps{settings_, around_, built_, state_};
+    steps.begin_beat();
+    for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) steps.make(i);
     if (const world_trouble found = state_.trouble) {
       state_ = before, state_.trouble = found;
       return;
     }
-    for (std::size_t c = 0; c < n; ++c)
-      state_.joints[c].angle = state_.motion.q[c], state_.joints[c].velocity = state_.motion.dq[c];
-    detail::read_units<R>(state_, true, beat, settings_.engine.gravity);
-    if (around_.boxes.count > 0) state_.around.end_beat(around_, beat);
-    ++state_.beats;
+    steps.end_beat();
+    end_beat();
   }
 
   // Of the drives from now on, one for each coordinate; what no drive can be in is ignored.
@@ -212,7 +205,10 @@ public:
     return whole::vector_of(ball(i).velocity);
   }
 
-  double mass() const { return tree::mass + built_.added.mass(); }
+  double mass() const {
+    if constexpr (detail::is_in_lanes<Real>) return tree::mass + built_.added.mass()[0];  // in all lanes
+    else return tree::mass + built_.added.mass();
+  }
   std::array<Real, 3> centre_of_mass() const {
     const vector3 c = whole::centre_of_mass(state_.motion, built_.added);
     return {c[0], c[1], c[2]};
@@ -232,14 +228,20 @@ public:
   {
     return state_.contacts[numbered(shape, state_.contacts.size(), "shape of the robot")];
   }
-  contact_account contact_at_end(std::size_t part) const {
+  contact_account contact_at_end(std::size_t part) const
+    requires(!detail::is_in_lanes<Real>)
+  {
     return contact_of(model(), state_.contacts,
                       [&](const placed_shape& s) { return s.end == static_cast<int>(part); });
   }
-  contact_account contact_at_end(std::string_view part) const {
+  contact_account contact_at_end(std::string_view part) const
+    requires(!detail::is_in_lanes<Real>)
+  {
     return contact_at_end(index_of(model().names.ends, part, "part"));
   }
-  contact_account contact_of_base() const {
+  contact_account contact_of_base() const
+    requires(!detail::is_in_lanes<Real>)
+  {
     return contact_of(model(), state_.contacts, [](const placed_shape& s) { return s.link < 0; });
   }
   static constexpr double parallel_error() { return 0; }
@@ -248,7 +250,10 @@ public:
   double time() const { return static_cast<double>(state_.beats) * beat; }
 
   // At x, m; without floor and terrain it is minus infinity.
-  double ground_height(double x) const { return detail::height_of(around_.under, x); }
+  double ground_height(double x) const {
+    if constexpr (detail::is_in_lanes<Real>) return detail::height_of(around_.under.lane(0), x);
+    else return detail::height_of(around_.under, x);
+  }
 
   const world_trouble& trouble() const { return state_.trouble; }
   std::string trouble_text() const { return text_of(state_.trouble, model()); }
@@ -263,6 +268,15 @@ public:
   void restore(const state_type& s) { state_ = s, built_.take(s.conditions); }
 
 private:
+  template <class, int>
+  friend class detail::beat_in_lanes;
+
+  // What is not of the steps.
+  void end_beat() {
+    detail::read_units<R>(state_, true, beat, settings_.engine.gravity);
+    if (around_.boxes.count > 0) state_.around.end_beat(around_, beat);
+    ++state_.beats;
+  }
   void put(const std::array<Real, n>& q,
            const std::array<Real, n>& dq,
            const placement& base,
@@ -292,49 +306,10 @@ private:
   }
   double step_seconds() const { return beat / settings_.steps_per_beat; }
 
-  // `after`: of the beat's begin, in the middle of the step, s.
-  void step(double after) {
-    const double h = step_seconds();
-    auto& m = state_.motion;
-    step_type now(h, built_);
-    now.begin(m, settings_.engine.gravity);
-    detail::pull_and_push<R>(state_, now);
-    now.solve(m, state_.drives);
-    bool touches = false;
-    if constexpr (has_shapes) {
-      touches = around_.more() || has_own || (detail::probes_of<R>::count > 0 && around_.under.exists);
-      if (touches) touch(now, h, after);
-    }
-    if (!touches) now.end(m, state_.drives, now.change);
-    detail::account_motors<R>(state_, h, Real(h / beat));
-    state_.trouble = detail::trouble_of<R>(m, settings_.plausible, h);
-    if constexpr (has_shapes && !detail::is_in_lanes<Real>)
-      if (around_.balls.count > 0 && !state_.trouble)
-        state_.trouble = state_.around.trouble(around_, settings_.plausible, h);
-  }
-
-  void touch(step_type& now, double h, double after) {
-    detail::contacts_in_step<R, Real> contacts;
-    const auto without = now.change;
-    bool has_more = false;
-    if constexpr (!detail::is_in_lanes<Real>)
-      if (has_more = around_.more(); has_more)
-        contacts.solve_with_more(now, state_.motion, around_, state_.around, state_.impulses, h, after,
-                                 settings_.engine.gravity);
-    if (!has_more) contacts.solve(now, state_.motion, around_, state_.impulses, h);
-    now.end(state_.motion, state_.drives, detail::lasting(without, now.change));
-    for (contact_account& a : state_.contacts) a.begin_step();
-    contacts.each(h, [&](const auto& c) {
-      if (c.shape < 0) return;
-      detail::feel<R>(now, c, Real(h / beat), state_);
-      detail::add_to(state_.contacts[static_cast<std::size_t>(c.shape)], c, h);
-    });
-  }
-
   robot_world_settings settings_;
-  detail::surroundings around_;
+  detail::surroundings_for<Real> around_;
   state_type state_{};
-  detail::built_robot<R> built_;
+  detail::built_robot<R, Real> built_;
 };
 
 }  // namespace cca::sim

@@ -52,6 +52,20 @@ struct coordinate_in_step {
   }
 };
 
+// What of a drive its condition changes (drive_condition.hpp).
+template <class Number>
+struct drive_numbers {
+  Number torque{}, no_load_speed{};     // of the motor
+  Number friction{}, dry_friction{};    // in the joint
+
+  constexpr drive_numbers() = default;
+  constexpr explicit drive_numbers(const robots::joint_drive& d)
+      : torque(d.motor.torque),
+        no_load_speed(d.motor.no_load_speed),
+        friction(d.friction),
+        dry_friction(d.dry_friction) {}
+};
+
 // A force that falls with dv along a straight line.
 template <class Real>
 struct straight_force {
@@ -98,28 +112,32 @@ constexpr answer<Real> left_of(const Real& line, const Real& slope, const Real& 
 // that.
 template <class Real>
 class motor_in_step {
+  using number = number_of<Real>;
+
 public:
   constexpr motor_in_step() = default;
 
   // It follows a law, within what its line leaves. One that winds a cable only pulls.
   constexpr motor_in_step(const robots::joint_drive& d,
+                          const drive_numbers<number>& now,
                           const law_of<Real>& law,
                           const coordinate_in_step<Real>& c)
-      : kind_(kind::law), only_pulls_(d.cable.stiffness > 0), most_(d.motor.torque) {
+      : kind_(kind::law), only_pulls_(d.cable.stiffness > 0), most_(now.torque) {
     wanted_ = soft_law<Real>{Real(law.position), Real(law.velocity), Real(law.torque), Real(law.stiffness),
                              Real(law.damping)}
                   .in(c);
-    const double steep = 2 * d.motor.torque / d.motor.no_load_speed;
-    const Real whole(2 * d.motor.torque), now = Real(steep) * c.v;
-    high_ = whole - now, low_ = whole + now;
+    const number twice = number(2.0) * now.torque, steep = twice / now.no_load_speed;
+    const Real whole(twice), lost = Real(steep) * c.v;
+    high_ = whole - lost, low_ = whole + lost;
     falls_ = Real(steep) * c.theta(Real(0.0), Real(steep));
   }
   // It winds a cable, which is wound to `wound` in the middle of the step, at `winding` rad/s.
   constexpr motor_in_step(const robots::joint_drive& d,
+                          const drive_numbers<number>& now,
                           const Real& wound,
                           const Real& winding,
                           const coordinate_in_step<Real>& c)
-      : kind_(kind::cable), only_pulls_(true), most_(d.motor.torque) {
+      : kind_(kind::cable), only_pulls_(true), most_(now.torque) {
     const Real stiffness(d.cable.stiffness), damping(d.cable.damping), zero(0.0);
     const Real theta = c.theta(stiffness, damping);
     high_ = wound + Real(c.h) * ((theta - Real(0.5)) * winding) - c.position(theta, zero);

@@ -17,6 +17,10 @@ namespace cca::sim::detail {
 template <class Real>
 inline constexpr bool is_in_lanes = false;
 
+// What is a number of a world whatever its scalar is: in lanes each has its own.
+template <class Real>
+using number_of = std::conditional_t<is_in_lanes<Real>, Real, double>;
+
 constexpr double select(bool condition, double yes, double no) { return condition ? yes : no; }
 constexpr bool everywhere(bool condition) { return condition; }
 constexpr double root(double x) { return cca::math::sqrt(x); }
@@ -28,6 +32,14 @@ constexpr bool is_none(const std::array<Real, 3>& v) {
   else if constexpr (is_in_lanes<Real>)
     return everywhere((v[0] == Real(0.0)) & (v[1] == Real(0.0)) & (v[2] == Real(0.0)));
   else return false;
+}
+
+// Whether a number that is 0 or more is above 0; in lanes, in one of them.
+constexpr bool is_any(double x) { return x > 0; }
+template <class Number>
+  requires is_in_lanes<Number>
+constexpr bool is_any(const Number& x) {
+  return !everywhere(!(x > Number(0.0)));
 }
 
 template <class Real>

@@ -29,12 +29,12 @@ template <class Real>
 struct pulley {
   Real wound{}, wanted{}, speed{}, torque{};
 
-  constexpr void wind(const robots::motor_line& m, double h) {
-    const Real load = between(Real(0.0), torque, Real(m.torque));
-    const Real most =
-        select(load < Real(m.torque), Real(m.no_load_speed) - Real(m.no_load_speed / (2 * m.torque)) * load,
-               Real(0.0));
-    speed = between(Real(-m.no_load_speed), wanted, most);
+  constexpr void wind(const drive_numbers<number_of<Real>>& motor, double h) {
+    const auto& [strong, fast, friction, dry_friction] = motor;
+    const Real load = between(Real(0.0), torque, Real(strong)), free(fast);
+    const Real falls(fast / (number_of<Real>(2.0) * strong));
+    const Real most = select(load < Real(strong), free - falls * load, Real(0.0));
+    speed = between(-free, wanted, most);
     wound = wound + Real(h) * speed;
   }
 };
@@ -65,7 +65,7 @@ public:
   int rounds = 0;
 
   // The robot stays where it is while there is the step.
-  constexpr tree_step(double step, const built_robot<R>& as_built) : h(step), built(&as_built) {}
+  constexpr tree_step(double step, const built_robot<R, Real>& as_built) : h(step), built(&as_built) {}
 
   // The posture in the middle of the step: M, and the forces of motion and gravity.
   constexpr void begin(motion& m, double gravity) {
@@ -166,21 +166,23 @@ private:
 
   constexpr void prepare(const motion& m, tree_drives<R, Real>& drives) {
     for (std::size_t c = 0; c < n; ++c) {
-      const robots::joint_drive& d = built->drives[c];
+      const robots::joint_drive& d = R::drives[c];
+      const auto& motor = built->drives[c];
       const law_of<Real>& law = drives.laws[c];
       joint_in_step<Real>& j = joints[c];
       j.now = {h, m.q[c], m.dq[c], now.mass.diagonal(row(c))};
       const bool winds = d.cable.stiffness > 0, holds = is_law_of_position(law);
       pulley<Real>& p = drives.pulleys[c];
-      if (winds && holds) p.wind(d.motor, h);
+      if (winds && holds) p.wind(motor, h);
       else if (winds) p.wound = m.q[c] + Real(0.5 * h) * m.dq[c], p.speed = m.dq[c];
-      if (d.motor.torque > 0)
-        j.motor = winds && holds ? motor_in_step<Real>(d, p.wound - Real(0.5 * h) * p.speed, p.speed, j.now)
-                                 : motor_in_step<Real>(d, law, j.now);
-      if (d.friction > 0 || d.spring > 0)
+      if (is_any(motor.torque))
+        j.motor = winds && holds
+                      ? motor_in_step<Real>(d, motor, p.wound - Real(0.5 * h) * p.speed, p.speed, j.now)
+                      : motor_in_step<Real>(d, motor, law, j.now);
+      if (is_any(motor.friction) || d.spring > 0)
         j.soft =
-            soft_law<Real>{Real(d.spring_rest), Real(0.0), Real(0.0), Real(d.spring), Real(d.friction)}.in(
-                j.now);
+            soft_law<Real>{Real(d.spring_rest), Real(0.0), Real(0.0), Real(d.spring), Real(motor.friction)}
+                .in(j.now);
       if (tree::ranges[c].exists()) j.way_beyond = beyond(tree::ranges[c], m.q[c]);
     }
     for (std::size_t i = 0; i < tree::lines.size(); ++i)
@@ -245,7 +247,7 @@ private:
   }
 
   double h;
-  const built_robot<R>* built;
+  const built_robot<R, Real>* built;
   std::array<joint_in_step<Real>, n> joints{};
   std::array<line_in_step<R, Real>, tree::lines.size()> lines{};
   std::array<answer<Real>, n + tree::lines.size()> taken{};

@@ -41,7 +41,7 @@ struct whole_robot {
     return r;
   }
 
-  static triple<Real> centre_of_mass(const motion& m, const added_masses<R>& added) {
+  static triple<Real> centre_of_mass(const motion& m, const added_masses<R, number_of<Real>>& added) {
     const auto places = at(m).only_places();
     const auto given = [](const auto& v) { return triple<Real>{Real(v[0]), Real(v[1]), Real(v[2])}; };
     triple<Real> sum = given(tree::reduced.base.first) - Real(tree::held.mass) * given(tree::held.centre);
@@ -55,7 +55,7 @@ struct whole_robot {
   }
 
   // Kinetic, and potential from the height of the world's origin.
-  static Real energy(const motion& m, double gravity, const added_masses<R>& added) {
+  static Real energy(const motion& m, double gravity, const added_masses<R, number_of<Real>>& added) {
     auto now = at(m);
     now.weigh({}, {}, {});
     if (added.exist())

@@ -6,6 +6,8 @@
 // wall of a step is touched: what has come into it goes back through it, if that way is shorter.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 
@@ -24,6 +26,51 @@ struct ground {
   ground_profile profile{};
   contact_numbers contact{};
   double surface_layer = 0, correcting_speed = 0;
+
+  bool is_level() const { return profile.is_level(); }
+  bool has_walls() const { return profile.rise != 0; }
+  double friction() const { return contact.friction; }
+
+  // Whether worlds on both can be lanes: only the ground's shape and its friction differ.
+  bool goes_with(const ground& b) const {
+    return exists == b.exists && contact.stiffness == b.contact.stiffness &&
+           contact.damping == b.contact.damping && contact.pyramid == b.contact.pyramid &&
+           surface_layer == b.surface_layer && correcting_speed == b.correcting_speed;
+  }
+};
+
+// Of each lane its own.
+template <class Real>
+struct ground_in_lanes {
+  bool exists = false;
+  contact_numbers contact{};  // but the friction
+  double surface_layer = 0, correcting_speed = 0;
+
+  constexpr ground_in_lanes() = default;
+  ground_in_lanes(const ground& all) {
+    for (int k = 0; k < Real::count; ++k) take_lane(k, all);
+  }
+  // `take_lane` of each lane, in their order; they go together.
+  void take_lane(int k, const ground& one) {
+    exists = one.exists, contact = one.contact;
+    surface_layer = one.surface_layer, correcting_speed = one.correcting_speed;
+    is_level_ = (k == 0 || is_level_) && one.is_level();
+    has_walls_ = (k > 0 && has_walls_) || one.has_walls();
+    lanes_[static_cast<std::size_t>(k)] = one;
+    friction_.set(k, one.friction()), floor_.set(k, one.floor);
+  }
+
+  bool is_level() const { return is_level_; }  // in all lanes
+  bool has_walls() const { return has_walls_; }
+  const Real& friction() const { return friction_; }
+  const ground& lane(int k) const { return lanes_[static_cast<std::size_t>(k)]; }
+
+  const Real& floor() const { return floor_; }
+
+private:
+  std::array<ground, static_cast<std::size_t>(Real::count)> lanes_{};
+  Real friction_{}, floor_{};
+  bool is_level_ = true, has_walls_ = false;
 };
 
 // Throws std::invalid_argument for what no world can have, and for what this one has not.
@@ -44,6 +91,16 @@ inline ground ground_of(const scene& around, const engine_settings& settings) {
 
 inline double height_of(const ground& g, double x) {
   return g.exists ? g.floor + g.profile.height(x) : -std::numeric_limits<double>::infinity();
+}
+
+// Of a place above the first strip, m.
+template <class Real>
+Real height_above(const ground& g, const triple<Real>& at) {
+  return at[2] - Real(g.floor);
+}
+template <class Real>
+Real height_above(const ground_in_lanes<Real>& g, const triple<Real>& at) {
+  return at[2] - g.floor();
 }
 
 template <class Real>
@@ -67,7 +124,7 @@ template <class Real>
 step_wall<Real> wall_at(const ground& g, const triple<Real>& at) {
   step_wall<Real> w;
   const ground_profile& p = g.profile;
-  if (p.rise == 0) return w;
+  if (!g.has_walls()) return w;
   const double x = plain(at[0]), z = plain(at[2]) - g.floor, n = math::floor(z / p.rise);
   if (!(n >= 0 && n < static_cast<double>(p.count))) return w;
   const Real past = at[0] - Real(p.start + n * p.run);
@@ -83,17 +140,9 @@ step_wall<Real> wall_at(const ground& g, const triple<Real>& at) {
 template <class Real>
 ground_touch<Real> touch_of_wall(const ground& g, const triple<Real>& at, double radius) {
   ground_touch<Real> best;
-  if constexpr (is_in_lanes<Real>) {
-    for (int k = 0; k < Real::count; ++k) {
-      const auto one = touch_of_wall(g, triple<double>{at[0][k], at[1][k], at[2][k]}, radius);
-      best.depth.set(k, one.depth);
-      for (std::size_t r = 0; r < 3; ++r) best.normal[r].set(k, one.normal[r]);
-    }
-  } else {
-    best.depth = Real(-1.0);
-    const step_wall<Real> w = wall_at(g, at);
-    if (w.exists && (plain(w.before) > 0 || w.is_way_out)) best = {Real(radius) - w.before, w.normal};
-  }
+  best.depth = Real(-1.0);
+  const step_wall<Real> w = wall_at(g, at);
+  if (w.exists && (plain(w.before) > 0 || w.is_way_out)) best = {Real(radius) - w.before, w.normal};
   return best;
 }
 
@@ -101,43 +150,55 @@ ground_touch<Real> touch_of_wall(const ground& g, const triple<Real>& at, double
 template <class Real>
 ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radius) {
   ground_touch<Real> best;
-  if constexpr (is_in_lanes<Real>) {
-    if (g.profile.is_level()) {
-      best.depth = Real(radius) - (at[2] - Real(g.floor));
-      return best;
+  best.depth = Real(-1.0);
+  if (!g.exists) return best;
+  const double x = plain(at[0]);
+  g.profile.strips_between(x - radius, x + radius, [&](const ground_strip& s) {
+    const bool is_level = s.pitch == 0;
+    const double c = is_level ? 1 : math::cos(s.pitch), n = is_level ? 0 : math::sin(s.pitch);
+    // In the plane of x and z, from the strip's edge: along it, and above it.
+    const Real dx = at[0] - Real(s.edge_x), dz = at[2] - Real(g.floor + s.edge_z);
+    const Real along = Real(c) * dx + Real(n) * dz, above = Real(c) * dz - Real(n) * dx;
+    const double begin = (s.begin - s.edge_x) / c, end = (s.end - s.edge_x) / c;
+    const Real beyond = larger(along - Real(end), Real(0.0)) + smaller(along - Real(begin), Real(0.0));
+    ground_touch<Real> t;
+    if (plain(beyond) == 0 || !(plain(above) > 0)) {
+      t = {Real(radius) - above, {Real(-n), Real(0.0), Real(c)}};
+      if (plain(beyond) != 0) return;  // below, and beside
+      if (g.has_walls() && wall_at(g, at).is_way_out) return;
+    } else {
+      const Real far = root(beyond * beyond + above * above), u = beyond / far, v = above / far;
+      t = {Real(radius) - far, {Real(c) * u - Real(n) * v, Real(0.0), Real(n) * u + Real(c) * v}};
     }
-    // Each lane has strips of its own.
-    for (int k = 0; k < Real::count; ++k) {
-      const auto one = touch_of(g, triple<double>{at[0][k], at[1][k], at[2][k]}, radius);
-      best.depth.set(k, one.depth);
-      for (std::size_t r = 0; r < 3; ++r) best.normal[r].set(k, one.normal[r]);
-    }
-    return best;
-  } else {
-    best.depth = Real(-1.0);
-    if (!g.exists) return best;
-    const double x = plain(at[0]);
-    g.profile.strips_between(x - radius, x + radius, [&](const ground_strip& s) {
-      const bool is_level = s.pitch == 0;
-      const double c = is_level ? 1 : math::cos(s.pitch), n = is_level ? 0 : math::sin(s.pitch);
-      // In the plane of x and z, from the strip's edge: along it, and above it.
-      const Real dx = at[0] - Real(s.edge_x), dz = at[2] - Real(g.floor + s.edge_z);
-      const Real along = Real(c) * dx + Real(n) * dz, above = Real(c) * dz - Real(n) * dx;
-      const double begin = (s.begin - s.edge_x) / c, end = (s.end - s.edge_x) / c;
-      const Real beyond = larger(along - Real(end), Real(0.0)) + smaller(along - Real(begin), Real(0.0));
-      ground_touch<Real> t;
-      if (plain(beyond) == 0 || !(plain(above) > 0)) {
-        t = {Real(radius) - above, {Real(-n), Real(0.0), Real(c)}};
-        if (plain(beyond) != 0) return;  // below, and beside
-        if (g.profile.rise != 0 && wall_at(g, at).is_way_out) return;
-      } else {
-        const Real far = root(beyond * beyond + above * above), u = beyond / far, v = above / far;
-        t = {Real(radius) - far, {Real(c) * u - Real(n) * v, Real(0.0), Real(n) * u + Real(c) * v}};
-      }
-      if (best.depth < t.depth) best = t;
-    });
-    return best;
+    if (best.depth < t.depth) best = t;
+  });
+  return best;
+}
+
+// Of each lane on its own ground.
+template <class Real, class Touch>
+ground_touch<Real> touch_in_lanes(const ground_in_lanes<Real>& g, const triple<Real>& at, Touch touch) {
+  ground_touch<Real> all;
+  for (int k = 0; k < Real::count; ++k) {
+    const ground_touch<double> one = touch(g.lane(k), triple<double>{at[0][k], at[1][k], at[2][k]});
+    all.depth.set(k, one.depth);
+    for (std::size_t r = 0; r < 3; ++r) all.normal[r].set(k, one.normal[r]);
   }
+  return all;
+}
+template <class Real>
+ground_touch<Real> touch_of_wall(const ground_in_lanes<Real>& g, const triple<Real>& at, double radius) {
+  return touch_in_lanes(
+      g, at, [&](const ground& own, const triple<double>& a) { return touch_of_wall(own, a, radius); });
+}
+template <class Real>
+ground_touch<Real> touch_of(const ground_in_lanes<Real>& g, const triple<Real>& at, double radius) {
+  if (!g.is_level())
+    return touch_in_lanes(
+        g, at, [&](const ground& own, const triple<double>& a) { return touch_of(own, a, radius); });
+  ground_touch<Real> on;
+  on.depth = Real(radius) - height_above(g, at);
+  return on;
 }
 
 }  // namespace cca::sim::detail

@@ -93,14 +93,17 @@ void each_edge(const ground& g, double x, double reach, F f) {
 template <class Real>
 bool is_edge_near(const ground& g, const triple<Real>& at, double reach) {
   bool is = false;
-  const auto look = [&](double x, double z) {
-    each_edge(g, x, reach,
-              [&](std::int64_t, const ground_edge& e) { is = is || (z - e.z < reach && e.z - z < reach); });
-  };
-  if constexpr (is_in_lanes<Real>)
-    for (int k = 0; k < Real::count; ++k) look(at[0][k], at[2][k]);
-  else look(plain(at[0]), plain(at[2]));
+  const double z = plain(at[2]);
+  each_edge(g, plain(at[0]), reach,
+            [&](std::int64_t, const ground_edge& e) { is = is || (z - e.z < reach && e.z - z < reach); });
   return is;
+}
+// In one lane, of its ground.
+template <class Real>
+bool is_edge_near(const ground_in_lanes<Real>& g, const triple<Real>& at, double reach) {
+  for (int k = 0; k < Real::count; ++k)
+    if (is_edge_near(g.lane(k), triple<double>{at[0][k], at[1][k], at[2][k]}, reach)) return true;
+  return false;
 }
 
 namespace edges {
@@ -182,22 +185,26 @@ void touch(const spanned_shape<Real, Spans>& s, const ground_edge& e, edge_touch
 template <class Real, std::size_t Spans>
 edge_touches<Real> touches_of_edges(const ground& g, const spanned_shape<Real, Spans>& s, double reach) {
   edge_touches<Real> found{};
-  if constexpr (is_in_lanes<Real>) {
-    const auto lane = [](const triple<Real>& v, int k) { return triple<double>{v[0][k], v[1][k], v[2][k]}; };
-    for (int k = 0; k < Real::count; ++k) {
-      spanned_shape<double, Spans> one{lane(s.middle, k), {}, s.radius};
-      for (std::size_t j = 0; j < Spans; ++j) one.spans[j] = lane(s.spans[j], k);
-      const auto alone = touches_of_edges(g, one, reach);
-      for (std::size_t i = 0; i < found.size(); ++i) {
-        found[i].depth.set(k, alone[i].depth);
-        for (std::size_t r = 0; r < 3; ++r)
-          found[i].normal[r].set(k, alone[i].normal[r]), found[i].at[r].set(k, alone[i].at[r]);
-      }
+  each_edge(g, plain(s.middle[0]), reach, [&](std::int64_t i, const ground_edge& e) {
+    edges::touch(s, e, &found[i % 2 == 0 ? 0 : edge_touch<Real>::at_edge]);
+  });
+  return found;
+}
+template <class Real, std::size_t Spans>
+edge_touches<Real> touches_of_edges(const ground_in_lanes<Real>& g,
+                                    const spanned_shape<Real, Spans>& s,
+                                    double reach) {
+  edge_touches<Real> found{};
+  const auto lane = [](const triple<Real>& v, int k) { return triple<double>{v[0][k], v[1][k], v[2][k]}; };
+  for (int k = 0; k < Real::count; ++k) {
+    spanned_shape<double, Spans> one{lane(s.middle, k), {}, s.radius};
+    for (std::size_t j = 0; j < Spans; ++j) one.spans[j] = lane(s.spans[j], k);
+    const auto alone = touches_of_edges(g.lane(k), one, reach);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      found[i].depth.set(k, alone[i].depth);
+      for (std::size_t r = 0; r < 3; ++r)
+        found[i].normal[r].set(k, alone[i].normal[r]), found[i].at[r].set(k, alone[i].at[r]);
     }
-  } else {
-    each_edge(g, plain(s.middle[0]), reach, [&](std::int64_t i, const ground_edge& e) {
-      edges::touch(s, e, &found[i % 2 == 0 ? 0 : edge_touch<Real>::at_edge]);
-    });
   }
   return found;
 }

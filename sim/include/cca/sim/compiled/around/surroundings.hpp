@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include <cca/sim/compiled/around/balls.hpp>
 #include <cca/sim/compiled/around/boxes.hpp>
@@ -22,7 +23,30 @@ struct surroundings {
 
   bool exist() const { return under.exists || more(); }
   bool more() const { return boxes.count + balls.count > 0; }  // than ground
+  bool goes_with(const surroundings& b) const {
+    return !more() && !b.more() && under.goes_with(b.under) && friction == b.friction;
+  }
 };
+
+// Lanes have a ground each, and no boxes and balls.
+template <class Real>
+struct surroundings_in_lanes {
+  ground_in_lanes<Real> under{};
+  boxes_around boxes{};
+  balls_around balls{};
+  double friction = 0;
+
+  constexpr surroundings_in_lanes() = default;
+  surroundings_in_lanes(const surroundings& all) : under(all.under), friction(all.friction) {}
+  // `take_lane` of each lane, in their order; they go together.
+  void take_lane(int k, const surroundings& one) {
+    under.take_lane(k, one.under);
+    friction = one.friction;
+  }
+  static constexpr bool more() { return false; }
+};
+template <class Real>
+using surroundings_for = std::conditional_t<is_in_lanes<Real>, surroundings_in_lanes<Real>, surroundings>;
 
 // Throws std::invalid_argument for what no world can have, and for what this one has not.
 template <class Real>
@@ -70,11 +94,11 @@ struct motion_around {
       }
   }
   // Of balls; boxes follow the beat.
-  void drift(const surroundings& of, double time) {
+  void drift(const auto& of, double time) {
     for (std::size_t i = 0; i < of.balls.count; ++i) balls[i].drift(time);
   }
   // The first ball that can't be right.
-  world_trouble trouble(const surroundings& of, const plausible_bounds& bounds, double step) const {
+  world_trouble trouble(const auto& of, const plausible_bounds& bounds, double step) const {
     for (std::size_t i = 0; i < of.balls.count; ++i) {
       const auto& [at, velocity, turning] = balls[i];
       const auto& made = of.balls.all[i];
@@ -91,7 +115,7 @@ struct motion_around {
     }
     return {};
   }
-  void end_beat(const surroundings& of, double beat) {
+  void end_beat(const auto& of, double beat) {
     for (std::size_t i = 0; i < of.boxes.count; ++i) boxes[i].end_beat(beat);
   }
 };

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include <cca/sim/compiled/on_links.hpp>
 #include <cca/sim/robot/model/body_factors.hpp>
@@ -27,7 +28,8 @@ struct moments_at_base {
     return *this;
   }
   // Of the link that these are of in its own frame, placed here.
-  static constexpr moments_at_base of(const cca::detail::mass_moments& own, const placed_frame<Real>& f) {
+  template <class Moments>
+  static constexpr moments_at_base of(const Moments& own, const placed_frame<Real>& f) {
     moments_at_base m;
     m.mass = Real(own.mass);
     const triple<Real> arm = f.direction({Real(own.first[0]), Real(own.first[1]), Real(own.first[2])});
@@ -56,14 +58,43 @@ struct moments_at_base {
   }
 };
 
-template <class R>
+// Mass, mass times centre, second moments: of each lane its own.
+template <class Number>
+struct moments_in_lanes {
+  Number mass{};
+  std::array<Number, 3> first{};
+  std::array<Number, 6> second{};
+
+  constexpr const Number& at(std::size_t r, std::size_t c) const {
+    return second[cca::detail::mass_moments::index(r, c)];
+  }
+  void take_lane(int k, const cca::detail::mass_moments& one) {
+    mass.set(k, one.mass);
+    for (std::size_t r = 0; r < first.size(); ++r) first[r].set(k, one.first[r]);
+    for (std::size_t r = 0; r < second.size(); ++r) second[r].set(k, one.second[r]);
+  }
+};
+
+template <class R, class Number = double>
 class added_masses {
   using tree = compiled_tree<R>;
-  using moments = cca::detail::mass_moments;
+  static constexpr bool has_lanes = is_in_lanes<Number>;
+  using moments = std::conditional_t<has_lanes, moments_in_lanes<Number>, cca::detail::mass_moments>;
+  template <class, class>
+  friend class added_masses;
 
 public:
   constexpr added_masses() = default;
-  explicit added_masses(const body_factors& by) {
+  // As `by` has it, in all lanes.
+  explicit added_masses(const body_factors& by)
+    requires has_lanes
+  {
+    const added_masses<R, double> one(by);
+    for (int k = 0; k < Number::count; ++k) take_lane(k, one);
+  }
+  explicit added_masses(const body_factors& by)
+    requires(!has_lanes)
+  {
     if constexpr (tree::floats)
       base_ = times(by.mass_factor(-1) - 1, cca::detail::base_inertia_of<typename R::body>());
     mass_ = base_.mass;
@@ -79,8 +110,20 @@ public:
     }
   }
 
+  // Of a robot in a lane. Where none has any, none are written. `take_lane` of each lane, in their order.
+  void take_lane(int k, const added_masses<R, double>& one)
+    requires has_lanes
+  {
+    const bool had = k > 0 && exist_;
+    exist_ = had || one.exist_;
+    if (!exist_) return;
+    if (!had) links_ = {}, base_ = {}, mass_ = {};
+    for (std::size_t i = 0; i < tree::links; ++i) links_[i].take_lane(k, one.links_[i]);
+    base_.take_lane(k, one.base_), mass_.set(k, one.mass_);
+  }
+
   bool exist() const { return exist_; }
-  double mass() const { return mass_; }
+  const Number& mass() const { return mass_; }
 
   // Mass times centre of all, in the base.
   template <class Real>
@@ -161,10 +204,10 @@ public:
   }
 
 private:
-  static moments times(double factor, link_inertia of) {
+  static cca::detail::mass_moments times(double factor, link_inertia of) {
     of.mass *= factor;
     for (double& x : of.about_centre) x *= factor;
-    return moments(of);
+    return cca::detail::mass_moments(of);
   }
 
   // What the motion of one link takes, at the origin of the base.
@@ -189,7 +232,7 @@ private:
 
   std::array<moments, tree::links> links_{};  // in the frames of the reduced links
   moments base_{};
-  double mass_ = 0;
+  Number mass_{};
   bool exist_ = false;
 };
 

@@ -12,13 +12,14 @@
 
 namespace cca::sim::detail {
 
-template <class R>
+template <class R, class Real = double>
 struct built_robot {
   static constexpr auto n = static_cast<std::size_t>(compiled_tree<R>::coordinates);
+  using number = number_of<Real>;
 
-  std::array<robots::joint_drive, n> drives = R::drives;
+  std::array<drive_numbers<number>, n> drives{};
   bool has_dry_friction = false;
-  added_masses<R> added{};
+  added_masses<R, number> added{};
 
   constexpr built_robot() { take({}); }
   explicit built_robot(const body_factors& by) : added(by) {
@@ -33,9 +34,24 @@ struct built_robot {
   constexpr void take(std::span<const drive_condition> conditions) {
     has_dry_friction = false;
     for (std::size_t c = 0; c < n; ++c) {
-      drives[c] = c < conditions.size() ? in_condition(R::drives[c], conditions[c]) : R::drives[c];
-      has_dry_friction = has_dry_friction || drives[c].dry_friction > 0;
+      drives[c] = drive_numbers<number>(c < conditions.size() ? in_condition(R::drives[c], conditions[c])
+                                                              : R::drives[c]);
+      has_dry_friction = has_dry_friction || is_any(drives[c].dry_friction);
     }
+  }
+
+  // Of a robot in a lane. `take_lane` of each lane, in their order.
+  void take_lane(int k, const built_robot<R, double>& one)
+    requires is_in_lanes<Real>
+  {
+    for (std::size_t c = 0; c < n; ++c) {
+      const auto& from = one.drives[c];
+      auto& to = drives[c];
+      to.torque.set(k, from.torque), to.no_load_speed.set(k, from.no_load_speed);
+      to.friction.set(k, from.friction), to.dry_friction.set(k, from.dry_friction);
+    }
+    has_dry_friction = (k > 0 && has_dry_friction) || one.has_dry_friction;
+    added.take_lane(k, one.added);
   }
 };
 

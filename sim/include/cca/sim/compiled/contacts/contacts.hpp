@@ -25,6 +25,7 @@ namespace cca::sim::detail {
 template <class Real>
 struct contact_force {
   int shape = -1;                        // of the robot; -1: a ball's contact with something else
+  Real depth{};                          // m; lanes: below 0 where there is none
   triple<Real> at{}, normal{}, force{};  // in the world: m, N
   Real speed{}, lost{};                  // along the surface: m/s after the step; J, to friction
 };
@@ -55,8 +56,11 @@ public:
   using impulses = kept_impulses<Real, most>;
 
   // The change of the step becomes that with contacts. `last`: takes the impulses.
-  void solve(
-      tree_step<R, Real>& step, const motion& m, const surroundings& around, impulses& last, double h) {
+  void solve(tree_step<R, Real>& step,
+             const motion& m,
+             const surroundings_for<Real>& around,
+             impulses& last,
+             double h) {
     found.find(step, around.under);
     if constexpr (has_own) found.find_own(step);
     if (found.count > 0) {
@@ -103,7 +107,7 @@ public:
       const auto& t = found.all[k];
       const auto& p = laws[k].impulse;
       contact_force<Real> made;
-      made.shape = t.of->shape, made.at = t.at, made.normal = t.normal;
+      made.shape = t.of->shape, made.depth = t.depth, made.at = t.at, made.normal = t.normal;
       made.force = Real(1 / h) * impulse(k);
       const auto &from = c.slip_before, &to = c.slip;
       made.speed = root(to[0] * to[0] + to[1] * to[1]);
@@ -233,11 +237,11 @@ private:
   template <class See = decltype(no_more)>
   void prepare(const tree_step<R, Real>& step,
                const motion& m,
-               const surroundings& around,
+               const surroundings_for<Real>& around,
                const impulses& last,
                double h,
                See see = {}) {
-    const ground& under = around.under;
+    const auto& under = around.under;
     const double stiff = 0.5 * h * under.contact.stiffness, damp = under.contact.damping;
     const double give = 1 / (h * (stiff + damp)), back = under.contact.stiffness / (stiff + damp);
     typename on_links<R, Real>::vector speed = step.change;
@@ -257,7 +261,7 @@ private:
       const auto& t = found.all[k];
       contact_law<Real>& l = laws.make(k);
       l.give = Real(give);
-      l.friction = Real(t.on_ground || !(has_more || has_own) ? under.contact.friction : around.friction);
+      l.friction = t.on_ground || !(has_more || has_own) ? Real(under.friction()) : Real(around.friction);
       l.bias = between(Real(0.0), Real(back) * (t.depth - Real(under.surface_layer)),
                        Real(under.correcting_speed));
       x.set_tangents(t.normal);

@@ -57,13 +57,14 @@ public:
   std::size_t count = 0;
   slots<one, most> all;
 
-  void find(const step_type& step, const ground& under) {
+  template <class Ground>
+  void find(const step_type& step, const Ground& under) {
     count = shallow = 0;
     if constexpr (probes::count > 0)
       if (under.exists) {
         find_on_ground(step, under);
-        if (probes::long_shapes > 0 && !under.profile.is_level()) find_on_edges(step, under);
-        if (under.profile.rise != 0) find_on_walls(step, under);
+        if (probes::long_shapes > 0 && !under.is_level()) find_on_edges(step, under);
+        if (under.has_walls()) find_on_walls(step, under);
       }
   }
   // Of the robot's shapes with each other.
@@ -134,8 +135,9 @@ private:
     look_for_shallow();
   }
 
-  void find_on_ground(const step_type& step, const ground& under) {
-    const bool is_level = under.profile.is_level();
+  template <class Ground>
+  void find_on_ground(const step_type& step, const Ground& under) {
+    const bool is_level = under.is_level();
     const triple<Real> up{step.base.axes[0][2], step.base.axes[1][2], step.base.axes[2][2]};
     int link = -2;
     triple<Real> rise{};  // of the link's axes
@@ -145,7 +147,7 @@ private:
       if (is_level) {
         if (p.link != link) {
           link = p.link;
-          height = step.base.at[2] - Real(under.floor), rise = up;
+          height = height_above(under, step.base.at), rise = up;
           if (link >= 0) {
             const auto& f = step.now.places()[static_cast<std::size_t>(link)];
             height = height + dot(up, f.at), rise = along(f, up);
@@ -169,7 +171,8 @@ private:
     }
   }
 
-  void find_on_walls(const step_type& step, const ground& under) {
+  template <class Ground>
+  void find_on_walls(const step_type& step, const Ground& under) {
     one t;
     t.on_ground = true;
     for (std::size_t i = 0; i < probes::count; ++i) {
@@ -184,7 +187,8 @@ private:
     }
   }
 
-  void find_on_edges(const step_type& step, const ground& under) {
+  template <class Ground>
+  void find_on_edges(const step_type& step, const Ground& under) {
     for (std::size_t s = 0; s < probes::shape_count; ++s) {
       const placed_shape& shape = probes::shapes[s];
       const bool is_box = shape.form.kind == robots::shape_kind::box;
@@ -302,7 +306,7 @@ private:
       t.on_ground = false;
     };
     on_ground(touch_of(around.under, at, radius), 0);
-    if (around.under.profile.rise != 0) on_ground(touch_of_wall(around.under, at, radius), 1);
+    if (around.under.has_walls()) on_ground(touch_of_wall(around.under, at, radius), 1);
     for (std::size_t b = 0; b < around.boxes.count; ++b) {
       t.box = static_cast<int>(b), t.key = key_of(ball_key(i), b, 0);
       boxes[b].touch_sphere(

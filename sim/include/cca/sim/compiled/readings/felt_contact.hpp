@@ -11,11 +11,27 @@
 
 namespace cca::sim::detail {
 
-// Accounts are plain numbers: of a scalar with more than a number (ground.hpp), that number. Lanes have none.
-template <class Real>
-void add_to(contact_account& a, const contact_force<Real>& c, double step) {
-  if constexpr (!is_in_lanes<Real>)
-    a.add(plain(larger(dot(c.force, c.normal), Real(0.0))), plain(c.speed), plain(c.lost), step);
+template <std::size_t Shapes>
+void begin_step(shape_accounts<Shapes>& all) {
+  for (contact_account& a : all) a.begin_step();
+}
+template <class Real, std::size_t Shapes>
+void begin_step(accounts_in_lanes<Real, Shapes>& all) {
+  for (auto& own : all.of_lane) begin_step(own);
+}
+// Accounts are plain numbers: of a scalar with more than a number (ground.hpp), that number.
+template <class Real, std::size_t Shapes>
+void add_to(shape_accounts<Shapes>& all, const contact_force<Real>& c, double step) {
+  const Real into = larger(dot(c.force, c.normal), Real(0.0));
+  all[static_cast<std::size_t>(c.shape)].add(plain(into), plain(c.speed), plain(c.lost), step);
+}
+template <class Real, std::size_t Shapes>
+void add_to(accounts_in_lanes<Real, Shapes>& all, const contact_force<Real>& c, double step) {
+  const Real into = larger(dot(c.force, c.normal), Real(0.0));
+  for (int k = 0; k < Real::count; ++k)
+    if (c.depth[k] > 0)
+      all.of_lane[static_cast<std::size_t>(k)][static_cast<std::size_t>(c.shape)].add(into[k], c.speed[k],
+                                                                                      c.lost[k], step);
 }
 
 // `share`: of the step in the beat.
