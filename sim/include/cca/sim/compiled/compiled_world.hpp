@@ -66,6 +66,7 @@ class compiled_world {
   static constexpr bool has_shapes = detail::probes_of<R>::shape_count > 0;
 
 public:
+  using description = R;
   using state_type = compiled_state<R, Real>;
   static constexpr double beat = 1 / cca::detail::hz_of<typename R::rate>;
 

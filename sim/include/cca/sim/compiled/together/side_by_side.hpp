@@ -6,7 +6,8 @@
 //   cca::sim::advance_together(worlds);             a span of pointers to both: their beats of physics
 //
 // `advance(laws)` of such a world only keeps the laws: the world waits until it advances with others, so a
-// beat of its controller has no physics, and a fault comes a beat later. Each world has the bits that it has
+// beat of its controller has no physics, and a fault comes a beat later: ask `trouble()` before. Worlds that
+// can't be lanes of one vector (beat_in_lanes.hpp says which can) advance one by one. Each world has the bits that it has
 // alone, whatever advances with it (without contraction: lanes.hpp).
 //
 // `cca::sim::rollouts` does all this for runs that go in steps.
@@ -23,7 +24,7 @@
 #include <utility>
 
 #include <cca/sim/compiled/compiled_world.hpp>
-#include <cca/sim/compiled/lanes/lanes.hpp>
+#include <cca/sim/compiled/together/beat_in_lanes.hpp>
 #include <cca/sim/robot/world_named.hpp>
 
 namespace cca::sim {
@@ -32,6 +33,7 @@ template <class World>
 class side_by_side : public World {
 public:
   static constexpr std::size_t at_once = 4;  // so many share a vector
+  using together = detail::beat_in_lanes<typename World::description, static_cast<int>(at_once)>;
 
   using World::World;
   explicit side_by_side(World&& w) : World(std::move(w)) {}
@@ -40,16 +42,13 @@ public:
   void advance(std::span<const joint_law> laws) {
     count_ = std::min(laws.size(), asked_.size());
     std::copy_n(laws.begin(), count_, asked_.begin());
-    waits_ = true;
+    waits_ = !this->trouble();
   }
   // Whether it has laws that it has not followed yet.
   bool waits() const { return waits_; }
   std::span<const joint_law> asked() const { return {asked_.data(), count_}; }
 
-  void advance_alone() {
-    if (waits_) World::advance(asked());
-    waits_ = false;
-  }
+  void does_not_wait() { waits_ = false; }
 
 private:
   std::array<joint_law, std::tuple_size_v<std::remove_cvref_t<decltype(std::declval<const World&>().laws())>>>
@@ -70,7 +69,22 @@ struct world_named<R, side_by_side<World>> {
 // A beat of physics for each of them that waits.
 template <class World>
 void advance_together(std::span<side_by_side<World>* const> worlds) {
-  for (side_by_side<World>* const w : worlds) w->advance_alone();
+  constexpr std::size_t most = side_by_side<World>::at_once;
+  using together = typename side_by_side<World>::together;
+  for (std::size_t first = 0; first < worlds.size(); ++first) {
+    std::array<typename together::lane, most> group{};
+    std::size_t count = 0;
+    for (std::size_t k = first; k < worlds.size() && count < most; ++k) {
+      side_by_side<World>& w = *worlds[k];
+      if (!w.waits()) continue;
+      const typename together::lane one{&w, w.asked()};
+      if (count > 0 && !together::go_together(group[0], one)) continue;
+      group[count++] = one;
+      w.does_not_wait();
+    }
+    if (count == 1) group[0].of->advance(group[0].laws);
+    if (count > 1) together::make(std::span(group.data(), count));
+  }
 }
 
 }  // namespace cca::sim

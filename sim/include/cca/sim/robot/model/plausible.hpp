@@ -27,6 +27,8 @@ struct plausible_bounds {
   double energy = 1e7;                // J
   double stop = 0.5, stop_way = 0.1;  // rad, m
 
+  bool operator==(const plausible_bounds&) const = default;
+
   static constexpr plausible_bounds none() {
     constexpr double most = std::numeric_limits<double>::infinity();
     return {most, most, most, most, most};
