@@ -40,11 +40,16 @@ std::array<sim::joint_law, 16> laws_of(std::size_t which, int beat) {
 sim::terrain ground_of(std::size_t which) {
   constexpr double start = -0.3;
   switch (which % 5) {
-    case 0: return sim::terrain::flat();
-    case 1: return sim::terrain::steps(0.006, 0.1, 40, start).with_friction(0.6);
-    case 2: return sim::terrain::slope(0.1, start).with_friction(0.9);
-    case 3: return sim::terrain::slope(-0.1, start).with_friction(0.3);
-    default: return sim::terrain::steps(-0.01, 0.07, 40, start);
+    case 0:
+      return sim::terrain::flat();
+    case 1:
+      return sim::terrain::steps(0.006, 0.1, 40, start).with_friction(0.6);
+    case 2:
+      return sim::terrain::slope(0.1, start).with_friction(0.9);
+    case 3:
+      return sim::terrain::slope(-0.1, start).with_friction(0.3);
+    default:
+      return sim::terrain::steps(-0.01, 0.07, 40, start);
   }
 }
 
@@ -154,9 +159,7 @@ TEST_SUITE("compiled world: side by side") {
       for (pair& p : all) worlds.push_back(&p.other);
       for (int beat = 0; beat < 60; ++beat) {
         for (std::size_t i = 0; i < 3; ++i) {
-          if (beat == 30 && i == bad) {
-            all[i].one.push({0, 0, 1e12}), all[i].other.push({0, 0, 1e12});
-          }
+          if (beat == 30 && i == bad) { all[i].one.push({0, 0, 1e12}), all[i].other.push({0, 0, 1e12}); }
           all[i].one.advance(laws_of(i, beat)), all[i].other.advance(laws_of(i, beat));
         }
         sim::advance_together<alone>(worlds);

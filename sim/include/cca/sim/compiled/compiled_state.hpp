@@ -69,7 +69,7 @@ struct compiled_state {
       unit_speeds{};                // m/s, after the last beat
   std::array<double, 3> planned{};  // the push that a plan said last
   typename detail::accounts_for<Real, detail::probes_of<R>::shape_count>::type contacts{};  // of the shapes
-  Real positive_work{}, absolute_work{};                                      // J, of the motors
+  Real positive_work{}, absolute_work{};  // J, of the motors
   std::int64_t beats = 0;
   world_trouble trouble{};
 };

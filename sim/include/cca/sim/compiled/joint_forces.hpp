@@ -55,8 +55,8 @@ struct coordinate_in_step {
 // What of a drive its condition changes (drive_condition.hpp).
 template <class Number>
 struct drive_numbers {
-  Number torque{}, no_load_speed{};     // of the motor
-  Number friction{}, dry_friction{};    // in the joint
+  Number torque{}, no_load_speed{};   // of the motor
+  Number friction{}, dry_friction{};  // in the joint
 
   constexpr drive_numbers() = default;
   constexpr explicit drive_numbers(const robots::joint_drive& d)

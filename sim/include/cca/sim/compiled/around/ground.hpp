@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <stdexcept>
 
 #include <cca/base/math.hpp>
@@ -20,10 +21,38 @@
 
 namespace cca::sim::detail {
 
+// A height that no strip of a terrain rises above, near a place: what is higher touches nothing.
+template <class Number>
+struct ground_bound {
+  Number start{0.0}, rises{0.0};  // m along x; the mean slope from there on
+  Number step{0.0}, least{0.0};   // m: how far a step is above this line; the height of the last strip
+
+  constexpr ground_bound() = default;
+  explicit ground_bound(const ground_profile& p)
+    requires std::is_same_v<Number, double>
+  {
+    if (p.is_level()) return;
+    start = p.start, rises = p.rise == 0 ? math::tan(p.pitch) : p.rise / p.run;
+    step = p.rise > 0 ? p.rise : 0;
+    least = p.rise == 0 ? -std::numeric_limits<double>::infinity() : static_cast<double>(p.count) * p.rise;
+  }
+  void take_lane(int k, const ground_bound<double>& one) {
+    start.set(k, one.start), rises.set(k, one.rises), step.set(k, one.step), least.set(k, one.least);
+  }
+  // m above the first strip, of all that is at most `reach` from x.
+  template <class Real>
+  Real top(const Real& x, double reach) const {
+    const Real zero(0.0), along = x - Real(start), up(rises);
+    const Real high = Real(step) + up * (along + Real(reach)), low = up * (along - Real(reach));
+    return select(up < zero, larger(smaller(low, zero), Real(least)), larger(high, zero));
+  }
+};
+
 struct ground {
   bool exists = false;
   double floor = 0;  // m, of the first strip
   ground_profile profile{};
+  ground_bound<double> bound{};
   contact_numbers contact{};
   double surface_layer = 0, correcting_speed = 0;
 
@@ -45,6 +74,7 @@ struct ground_in_lanes {
   bool exists = false;
   contact_numbers contact{};  // but the friction
   double surface_layer = 0, correcting_speed = 0;
+  ground_bound<Real> bound{};
 
   constexpr ground_in_lanes() = default;
   ground_in_lanes(const ground& all) {
@@ -57,7 +87,7 @@ struct ground_in_lanes {
     is_level_ = (k == 0 || is_level_) && one.is_level();
     has_walls_ = (k > 0 && has_walls_) || one.has_walls();
     lanes_[static_cast<std::size_t>(k)] = one;
-    friction_.set(k, one.friction()), floor_.set(k, one.floor);
+    friction_.set(k, one.friction()), floor_.set(k, one.floor), bound.take_lane(k, one.bound);
   }
 
   bool is_level() const { return is_level_; }  // in all lanes
@@ -85,6 +115,7 @@ inline ground ground_of(const scene& around, const engine_settings& settings) {
   if (s.floor) g.floor = *s.floor;
   g.contact = s.contact;
   if (s.ground) g.profile = s.ground->profile(), g.contact.friction = s.ground->friction();
+  g.bound = ground_bound<double>(g.profile);
   g.surface_layer = settings.surface_layer, g.correcting_speed = settings.correcting_speed;
   return g;
 }
@@ -175,11 +206,25 @@ ground_touch<Real> touch_of(const ground& g, const triple<Real>& at, double radi
   return best;
 }
 
+// Whether what is at most `reach` from this place is above all ground; in lanes, in each.
+template <class Ground, class Real>
+auto is_surely_above(const Ground& g, const triple<Real>& at, double reach) {
+  return height_above(g, at) > g.bound.top(at[0], reach) + Real(reach + 1e-9);
+}
+
 // Of each lane on its own ground.
 template <class Real, class Touch>
-ground_touch<Real> touch_in_lanes(const ground_in_lanes<Real>& g, const triple<Real>& at, Touch touch) {
+ground_touch<Real> touch_in_lanes(const ground_in_lanes<Real>& g,
+                                  const triple<Real>& at,
+                                  double radius,
+                                  Touch touch) {
   ground_touch<Real> all;
+  const Real above = select(is_surely_above(g, at, radius), Real(1.0), Real(0.0));
   for (int k = 0; k < Real::count; ++k) {
+    if (above[k] > 0) {
+      all.depth.set(k, -1);
+      continue;
+    }
     const ground_touch<double> one = touch(g.lane(k), triple<double>{at[0][k], at[1][k], at[2][k]});
     all.depth.set(k, one.depth);
     for (std::size_t r = 0; r < 3; ++r) all.normal[r].set(k, one.normal[r]);
@@ -188,14 +233,15 @@ ground_touch<Real> touch_in_lanes(const ground_in_lanes<Real>& g, const triple<R
 }
 template <class Real>
 ground_touch<Real> touch_of_wall(const ground_in_lanes<Real>& g, const triple<Real>& at, double radius) {
-  return touch_in_lanes(
-      g, at, [&](const ground& own, const triple<double>& a) { return touch_of_wall(own, a, radius); });
+  return touch_in_lanes(g, at, radius, [&](const ground& own, const triple<double>& a) {
+    return touch_of_wall(own, a, radius);
+  });
 }
 template <class Real>
 ground_touch<Real> touch_of(const ground_in_lanes<Real>& g, const triple<Real>& at, double radius) {
   if (!g.is_level())
     return touch_in_lanes(
-        g, at, [&](const ground& own, const triple<double>& a) { return touch_of(own, a, radius); });
+        g, at, radius, [&](const ground& own, const triple<double>& a) { return touch_of(own, a, radius); });
   ground_touch<Real> on;
   on.depth = Real(radius) - height_above(g, at);
   return on;

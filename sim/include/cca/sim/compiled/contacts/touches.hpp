@@ -159,6 +159,7 @@ private:
       }
       const triple<Real> at = on_links<R, Real>::point(step.now.places(), p.link, p.at),
                          world = step.base.at + step.base.direction(at);
+      if (!is_level && everywhere(is_surely_above(under, world, p.radius))) continue;
       const ground_touch<Real> t = touch_of(under, world, p.radius);
       if (everywhere(!(t.depth > Real(0.0)))) continue;
       one* const place = room_for(t.depth);
@@ -179,6 +180,7 @@ private:
       const probe& p = probes::all[i];
       const triple<Real> world =
           step.base.at + step.base.direction(on_links<R, Real>::point(step.now.places(), p.link, p.at));
+      if (everywhere(is_surely_above(under, world, p.radius))) continue;
       const ground_touch<Real> on = touch_of_wall(under, world, p.radius);
       if (everywhere(!(on.depth > Real(0.0)))) continue;
       t.of = &p, t.key = -1 - static_cast<int>(edge_touch<Real>::most * probes::shape_count + i);
@@ -195,7 +197,7 @@ private:
       if (!probes::moves(shape) || !probes::is_long(shape)) continue;
       const triple<Real> middle = shapes::middle(step, shape);
       const double reach = probes::reach(shape);
-      if (!is_edge_near(under, middle, reach)) continue;
+      if (everywhere(is_surely_above(under, middle, reach)) || !is_edge_near(under, middle, reach)) continue;
       const auto axes = shapes::axes(step, shape);
       const auto& size = shape.form.size;
       const auto span = [&](std::size_t k, double whole) { return Real(whole / 2) * axes[k]; };

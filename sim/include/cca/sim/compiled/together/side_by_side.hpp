@@ -7,8 +7,8 @@
 //
 // `advance(laws)` of such a world only keeps the laws: the world waits until it advances with others, so a
 // beat of its controller has no physics, and a fault comes a beat later: ask `trouble()` before. Worlds that
-// can't be lanes of one vector (beat_in_lanes.hpp says which can) advance one by one. Each world has the bits that it has
-// alone, whatever advances with it (without contraction: lanes.hpp).
+// can't be lanes of one vector (beat_in_lanes.hpp says which can) advance one by one. Each world has the bits
+// that it has alone, whatever advances with it (without contraction: lanes.hpp).
 //
 // `cca::sim::rollouts` does all this for runs that go in steps.
 //
