@@ -30,19 +30,6 @@ struct contact_force {
   Real speed{}, lost{};                  // along the surface: m/s after the step; J, to friction
 };
 
-// Of two changes of the velocities, without and with contacts: the smaller one, or none if they go two ways.
-// It is what goes on in the next step: an impact does not, and at rest nothing does.
-template <class Vector>
-constexpr Vector lasting(const Vector& without, const Vector& with) {
-  using Real = typename Vector::value_type;
-  Vector v{};
-  const Real zero(0.0);
-  for (std::size_t k = 0; k < v.size(); ++k)
-    v[k] = smaller(larger(without[k], zero), larger(with[k], zero)) +
-           larger(smaller(without[k], zero), smaller(with[k], zero));
-  return v;
-}
-
 template <class R, class Real>
 class contacts_in_step {
 public:

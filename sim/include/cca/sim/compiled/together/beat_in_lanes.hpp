@@ -52,7 +52,7 @@ public:
     }
     const robot_world_settings& settings = all[0].of->settings_;
     step_in_world<R, real> steps{settings, around, built, state};
-    std::array<world_trouble, N> troubles{};
+    std::array<world_trouble, static_cast<std::size_t>(N)> troubles{};
     steps.begin_beat();
     for (int i = 0; i < settings.steps_per_beat; ++i) {
       steps.make(i);
@@ -85,7 +85,7 @@ private:
   static void note(typename convert::many& state,
                    const robot_world_settings& settings,
                    double step,
-                   std::array<world_trouble, N>& troubles) {
+                   std::array<world_trouble, static_cast<std::size_t>(N)>& troubles) {
     using motion = decltype(typename convert::one{}.motion);
     state.trouble = {};
     for (int k = 0; k < N; ++k)
