@@ -34,6 +34,7 @@
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/report/statistics.hpp"
 #include "../../examples/trot/idle_robot.hpp"
+#include "../../examples/trot/own_run.hpp"
 #include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/uncertain.hpp"
 
@@ -117,34 +118,41 @@ double worth(const trot::statistics& s, double duty, const trial& t) {
          (trot::keeps(s, duty) ? 0 : cost_of_beyond);
 }
 
-// `start` is a controller that is loaded and not started; each run takes a copy of it. The runs of a
-// generation are those of the same robots and grounds, whatever gait they try.
-template <class Controller>
-double worth(const Controller& start,
-             const searched& what,
-             const std::vector<trial>& trials,
-             int generation,
-             bool uncertain,
-             const cca::interruption& interrupted) {
-  double sum = 0, worst = 1e9;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    Controller controller = start;
-    controller.template set<"cpg">(what.cpg);
-    controller.template set<"gait">(what.gait);
-    controller.template set<"posture">(what.posture);
-    const auto seed = first_of_search + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
-    const trial& t = trials[i];
-    const auto run = trot::on_drawn_ground(
-        controller, uncertain ? trot::drawn_uncertainty(seed) : cca::sim::uncertainty{},
+// One run of a gait. `start` is a controller that is loaded and not started. The runs of a generation are
+// those of the same robots and grounds, whatever gait they try.
+template <class Controller, class Between>
+auto run_of(const Controller& start,
+            const searched& what,
+            const trial& t,
+            std::uint64_t seed,
+            bool uncertain,
+            Between between) {
+  const auto begin = [=](Controller& c) {
+    c.template set<"cpg">(what.cpg);
+    c.template set<"gait">(what.gait);
+    c.template set<"posture">(what.posture);
+    return trot::on_drawn_ground(
+        c, uncertain ? trot::drawn_uncertainty(seed) : cca::sim::uncertainty{},
         cca::sim::disturbance::from_seed(seed, t.seconds), t.ground,
-        [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
-          return trot::roll_out(c, ground, disturbance, t.seconds, [&] { return !interrupted; }, settings);
+        [&](auto& of, const auto& ground, const auto& disturbance, const auto& settings) {
+          return trot::run_in_steps(of, trot::begin(of, ground, disturbance, t.seconds, settings), t.seconds,
+                                    between);
         });
-    const double value = worth(trot::evaluate(run), what.gait.duty, t);
+  };
+  const auto judge = [t, duty = what.gait.duty](const trot::recording& run, const Controller&) {
+    return worth(trot::evaluate(run), duty, t);
+  };
+  return trot::own_run<Controller, decltype(begin), decltype(judge)>(start, begin, judge);
+}
+
+// Of the values of one gait's runs: their mean and the worst count the same.
+double worth_of_all(const std::vector<double>& values) {
+  double sum = 0, worst = 1e9;
+  for (const double value : values) {
     sum += value;
     worst = std::min(worst, value);
   }
-  return 0.5 * sum / static_cast<double>(trials.size()) + 0.5 * worst;
+  return 0.5 * sum / static_cast<double>(values.size()) + 0.5 * worst;
 }
 
 struct options {
@@ -176,7 +184,7 @@ void offer(cca::command_line& line, options& o) {
 template <class World>
 int search(const options& o, trot::all_cores& cores) {
   const cca::interruption interrupted;  // ctrl-c: the best gait so far is written
-  cca::controller<trot::uncertain_trot<World>> start;
+  cca::controller<trot::uncertain_trot<trot::beside<World>>> start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
   const searched first{start.template get<"cpg">().p, start.template get<"gait">().p,
@@ -189,31 +197,53 @@ int search(const options& o, trot::all_cores& cores) {
     trials.push_back({cca::sim::terrain::slope(trot::degrees(-6)), o.seconds, 0.66});
   }
 
+  // The worths of gaits; gait k meets the robots and grounds of generation draw(k). Runs that follow each
+  // other are of one ground. With ctrl-c it returns none.
+  const auto worths = [&](const std::vector<searched>& gaits, auto draw, auto over) {
+    const auto run = [&](std::size_t i) {
+      const std::size_t t = i / gaits.size(), k = i % gaits.size();
+      const auto seed = first_of_search + static_cast<std::uint64_t>(draw(k) % 7) * trials.size() + t;
+      return run_of(start, gaits[k], trials[t], seed, o.uncertain, [&] { return !interrupted; });
+    };
+    const std::size_t count = gaits.size() * trials.size();
+    const std::vector<double> values =
+        cores.rollouts(count, run, {.over = over, .stops = [&] { return bool(interrupted); }});
+    std::vector<double> all;
+    for (std::size_t k = 0; k < gaits.size() && values.size() == count; ++k) {
+      std::vector<double> own;
+      for (std::size_t t = 0; t < trials.size(); ++t) own.push_back(values[t * gaits.size() + k]);
+      all.push_back(worth_of_all(own));
+    }
+    return all;
+  };
+
   gait_search::cma_es evolution(to_point(first), o.step, o.population, o.seed);
   searched best = first;
-  double best_worth = worth(start, first, trials, 0, o.uncertain, interrupted);
+  const std::vector<double> at_first = worths({first}, [](std::size_t) { return 0; }, nullptr);
+  bool ends_early = at_first.empty();
+  double best_worth = ends_early ? 0 : at_first[0];
   trot::progress_bar bar("search", cores.is_first());
   const double total = o.generations * static_cast<double>(o.population + 1);
-  bool ends_early = false;
-  for (int generation = 0; generation < o.generations; ++generation) {
+  for (int generation = 0; generation < o.generations && !ends_early; ++generation) {
     // The last point is the mean of the generation before: only means become the result.
     std::vector<Eigen::VectorXd> points = evolution.ask();
     points.push_back(evolution.mean());
-    const auto value = [&](std::size_t i) {
-      const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
-      return worth(start, at_point(first, points[i]), trials, draw, o.uncertain, interrupted) -
-             outside(points[i]);
+    std::vector<searched> gaits;
+    for (const Eigen::VectorXd& point : points) gaits.push_back(at_point(first, point));
+    const auto draw = [&](std::size_t k) {
+      return k + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
     };
     const auto show = [&](std::size_t over) {
       char note[80];
       std::snprintf(note, sizeof note, "generation %d, best %.3f, step %.3f", generation + 1, best_worth,
                     evolution.step());
-      bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(over)) / total, note);
+      const double gaits_over = static_cast<double>(over) / static_cast<double>(trials.size());
+      bar.show((generation * static_cast<double>(points.size()) + gaits_over) / total, note);
     };
-    std::vector<double> values =
-        cores.rollouts(points.size(), value, {.over = show, .stops = [&] { return bool(interrupted); }});
-    ends_early = values.size() < points.size();  // ctrl-c, here or on another rank
+    std::vector<double> values = worths(gaits, draw, show);
+    ends_early = values.empty();  // ctrl-c, here or on another rank
     if (ends_early) break;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] -= outside(points[k]);
     if (values.back() > best_worth) {
       best_worth = values.back();
       best = at_point(first, points.back());

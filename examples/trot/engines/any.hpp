@@ -11,6 +11,7 @@
 #include <cca/sim/oncilla/disturbance.hpp>
 #include <cca/sim/engine/terrain.hpp>
 #include <cca/sim/robot/model/robot_world_settings.hpp>
+#include <cca/sim/rollouts/in_steps.hpp>
 
 #include "../architecture.hpp"
 #include "../report/goes_on.hpp"
@@ -69,18 +70,48 @@ recording begin(Controller& controller,
   return begin(controller, controller.template get<"gait">().p, ground, disturbance, seconds, physics);
 }
 
-// Starts the controller and steps without a clock until the time is over, the robot falls, or
-// between(world, part of the run), called after each beat, returns false.
+// A run beat by beat (cca/sim/rollouts/in_steps.hpp): it starts the controller and steps without a clock
+// until the time is over, the robot falls, or between(world, part of the run), called after each beat,
+// returns false.
+template <class Controller, class Between>
+class run_in_steps {
+public:
+  // The controller has begun and stays where it is.
+  run_in_steps(Controller& controller, recording run, double seconds, Between between)
+      : controller_(&controller),
+        run_(std::move(run)),
+        beats_(beats_in<Controller>(seconds)),
+        between_(std::move(between)) {}
+
+  bool step() {
+    if (over_ == 0) controller_->start();
+    else if (!notes_last_beat()) return false;
+    if (over_ == beats_ || run_.fell) return false;
+    ++over_;
+    return controller_->step();
+  }
+  auto& world() { return controller_->template get<"robot.simulator">().world(); }
+  recording result() { return std::move(run_); }
+
+private:
+  bool notes_last_beat() {
+    if (world().trouble()) return false;
+    run_.note(world());
+    return goes_on(between_, std::as_const(*this).world(),
+                   static_cast<double>(over_) / static_cast<double>(beats_));
+  }
+  const auto& world() const { return controller_->template get<"robot.simulator">().world(); }
+
+  Controller* controller_;
+  recording run_;
+  std::size_t beats_, over_ = 0;
+  Between between_;
+};
+
 template <class Controller, class Between>
 recording walked(Controller& controller, recording run, double seconds, Between between) {
-  const auto& world = controller.template get<"robot.simulator">().world();
-  const std::size_t beats = beats_in<Controller>(seconds);
-  controller.start();
-  for (std::size_t k = 1; k <= beats && !run.fell && controller.step(); ++k) {
-    run.note(world);
-    if (!goes_on(between, world, static_cast<double>(k) / static_cast<double>(beats))) break;
-  }
-  return run;
+  run_in_steps steps(controller, std::move(run), seconds, std::move(between));
+  return cca::sim::made(steps);
 }
 
 // A whole run of the trot.

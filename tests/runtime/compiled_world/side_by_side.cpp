@@ -136,7 +136,7 @@ int differences_of(std::size_t count, int beats) {
       disturb(all[i].one, i, beat), disturb(all[i].other, i, beat);
       all[i].one.advance(laws), all[i].other.advance(laws);
     }
-    sim::advance_together<alone>(worlds);
+    sim::advance_together(worlds);
     for (const pair& p : all) differ += differences(p.one, p.other);
   }
   double slips = 0;
@@ -162,7 +162,7 @@ TEST_SUITE("compiled world: side by side") {
           if (beat == 30 && i == bad) { all[i].one.push({0, 0, 1e12}), all[i].other.push({0, 0, 1e12}); }
           all[i].one.advance(laws_of(i, beat)), all[i].other.advance(laws_of(i, beat));
         }
-        sim::advance_together<alone>(worlds);
+        sim::advance_together(worlds);
         for (const pair& p : all) CHECK_EQ(differences(p.one, p.other), 0);
       }
       for (std::size_t i = 0; i < 3; ++i) CHECK_EQ(bool(all[i].other.trouble()), i == bad);
@@ -185,7 +185,7 @@ TEST_SUITE("compiled world: side by side") {
     std::vector<beside*> worlds{&all[0], &all[1], &all[2]};
     for (int beat = 0; beat < 50; ++beat) {
       for (std::size_t i = 0; i < 3; ++i) one[i].advance(laws_of(0, beat)), all[i].advance(laws_of(0, beat));
-      sim::advance_together<alone>(worlds);
+      sim::advance_together(worlds);
     }
     for (std::size_t i = 0; i < 3; ++i) CHECK_EQ(differences(one[i], all[i]), 0);
     CHECK_NE(one[0].joints()[1].angle, one[2].joints()[1].angle);
@@ -196,7 +196,7 @@ TEST_SUITE("compiled world: side by side") {
     a.advance(laws_of(0, 0));
     CHECK(a.waits());
     CHECK_EQ(a.time(), 0);
-    sim::advance_together<alone>(worlds);
+    sim::advance_together(worlds);
     CHECK(!a.waits());
     CHECK_EQ(a.time(), 0.001);
     CHECK_EQ(b.time(), 0);

@@ -13,6 +13,7 @@
 // (cca/sim/compiled/lanes/side_by_side.hpp). Once a step has said no, `result()` is taken.
 //
 // A world of another kind advances within the step, and a thread makes such runs one after the other.
+// `made(run)` makes one alone.
 #pragma once
 
 #include <array>
@@ -31,6 +32,14 @@ template <class Run> concept RunInSteps = requires(Run& run) {
   run.world();
   run.result();
 };
+
+// A whole run, for a caller that has only this one.
+template <RunInSteps Run>
+auto made(Run& run) {
+  while (run.step())
+    if constexpr (requires { run.world().waits(); }) advance_together(std::array{&run.world()});
+  return run.result();
+}
 
 namespace detail {
 
@@ -61,7 +70,7 @@ public:
 
   void make() {
     while (step_all())
-      if constexpr (runs_at_once<Run> > 1) advance_together(std::span(worlds.data(), going));
+      if constexpr (runs_at_once<Run> > 1) advance_together(std::span(worlds).first(going));
   }
 
 private:

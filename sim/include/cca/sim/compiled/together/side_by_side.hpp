@@ -3,7 +3,7 @@
 //
 //   struct beside : cca::sim::robot<R, cca::sim::side_by_side<cca::sim::compiled>> {};
 //   one.step(), other.step();                       two controllers with such a robot: each world waits
-//   cca::sim::advance_together(worlds);             a span of pointers to both: their beats of physics
+//   cca::sim::advance_together(worlds);             an array of pointers to both: their beats of physics
 //
 // `advance(laws)` of such a world only keeps the laws: the world waits until it advances with others, so a
 // beat of its controller has no physics, and a fault comes a beat later: ask `trouble()` before. Worlds that
@@ -20,7 +20,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <ranges>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include <cca/sim/compiled/compiled_world.hpp>
@@ -67,15 +69,17 @@ struct world_named<R, side_by_side<World>> {
 }  // namespace detail
 
 // A beat of physics for each of them that waits.
-template <class World>
-void advance_together(std::span<side_by_side<World>* const> worlds) {
-  constexpr std::size_t most = side_by_side<World>::at_once;
-  using together = typename side_by_side<World>::together;
+template <class Worlds>
+void advance_together(const Worlds& pointers) {
+  using world = std::remove_pointer_t<std::ranges::range_value_t<Worlds>>;
+  const std::span<world* const> worlds(pointers);
+  constexpr std::size_t most = world::at_once;
+  using together = typename world::together;
   for (std::size_t first = 0; first < worlds.size(); ++first) {
     std::array<typename together::lane, most> group{};
     std::size_t count = 0;
     for (std::size_t k = first; k < worlds.size() && count < most; ++k) {
-      side_by_side<World>& w = *worlds[k];
+      world& w = *worlds[k];
       if (!w.waits()) continue;
       const typename together::lane one{&w, w.asked()};
       if (count > 0 && !together::go_together(group[0], one)) continue;
