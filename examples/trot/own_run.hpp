@@ -2,7 +2,7 @@
 // A run in steps that has its controller, for many at once (cca/sim/rollouts.hpp):
 //
 //   cores.rollouts(count, [&](std::size_t i) {
-//     return trot::own_run(start, [&, i](auto& c) { return a run_in_steps of c; }, judge);
+//     return trot::run_of(start, [&, i](auto& c) { return a run_in_steps of c; }, judge);
 //   });
 //
 // `begin(controller)` puts the robot down and returns its run; `judge(recording, controller)` is the result.
@@ -49,5 +49,11 @@ private:
   std::invoke_result_t<Begin&, Controller&> run_;
   Judge judge_;
 };
+
+// Controllers are copies of `start`, which is loaded and not started.
+template <class Controller, class Begin, class Judge>
+auto run_of(const Controller& start, Begin begin, Judge judge) {
+  return own_run<Controller, Begin, Judge>(start, std::move(begin), std::move(judge));
+}
 
 }  // namespace trot

@@ -32,6 +32,7 @@
 #include "../trot/report/engine.hpp"
 #include "../trot/report/progress.hpp"
 #include "../trot/report/statistics.hpp"
+#include "../trot/own_run.hpp"
 #include "evolution.hpp"
 #include "imitation.hpp"
 #include "trial.hpp"
@@ -161,13 +162,17 @@ private:
     std::vector<walking::trial> trials;
     for (int i = 0; i < o_.runs; ++i) trials.push_back(next());
     const std::vector<attended> runs = rollouts(trials.size(), "imitation", [&](std::size_t i) {
-      school_here c = start;
-      c.template get<"notebook">().lessons.reserve(trot::beats_in<school_here>(o_.seconds) / walking::period);
-      const auto run = walking::attempt(c, trials[i], o_.seconds, [&] { return !interrupted_; });
-      attended kept;
-      kept.lessons = c.template get<"notebook">().lessons;
-      kept.fell = run.fell;
-      return kept;
+      const auto begin = [this, t = trials[i]](school_here& c) {
+        c.template get<"notebook">().lessons.reserve(trot::beats_in<school_here>(o_.seconds) /
+                                                     walking::period);
+        return walking::attempt(c, t, o_.seconds, [this] { return !interrupted_; });
+      };
+      return trot::run_of(start, begin, [](const trot::recording& run, const school_here& c) {
+        attended kept;
+        kept.lessons = c.template get<"notebook">().lessons;
+        kept.fell = run.fell;
+        return kept;
+      });
     });
     std::vector<walking::lesson> all;
     falls_ = 0;
@@ -192,10 +197,9 @@ private:
       const auto points = search.ask();
       std::vector<walking::trial> trials;  // one for each direction
       for (int i = 0; i < o_.directions; ++i) trials.push_back(next());
-      const std::vector<double> values = rollouts(points.size(), "evolution", [&](std::size_t i) {
-        const std::size_t direction = i / 2;
-        return worth_in(points[i], trials[direction], direction);
-      });
+      std::vector<attempt> attempts;
+      for (std::size_t i = 0; i < points.size(); ++i) attempts.push_back({points[i], trials[i / 2], i / 2});
+      const std::vector<double> values = worths(attempts, "evolution");
       if (ends_early_) break;
       search.tell(values);
       if (generation % review_every != 0 && generation != o_.generations) continue;
@@ -217,24 +221,48 @@ private:
     return all;
   }
 
-  double worth_in(const Eigen::VectorXd& last, const walking::trial& t, std::size_t number) {
-    const bool other = o_.both > 0 && number % static_cast<std::size_t>(o_.both) == 0;
-    return other ? worth<Other>(last, t) : worth<World>(last, t);
+  struct attempt {
+    const Eigen::VectorXd& last;
+    const walking::trial& trial;
+    std::size_t number;
+  };
+  bool is_in_other(const attempt& a) const {
+    return o_.both > 0 && a.number % static_cast<std::size_t>(o_.both) == 0;
   }
+  // None, if they end early.
+  std::vector<double> worths(const std::vector<attempt>& all, const char* what) {
+    std::vector<double> values(all.size());
+    worths<World>(all, false, what, values);
+    if (o_.both > 0 && !ends_early_) worths<Other>(all, true, what, values);
+    return ends_early_ ? std::vector<double>() : values;
+  }
+  // Of those in this engine.
   template <class In>
-  double worth(const Eigen::VectorXd& last, const walking::trial& t) {
-    cca::controller<walk<In>> c;
-    c.template get<"gait.policy">().weights = with(last);
-    c.load();
-    return walking::worth(
-        walking::along_its_way(walking::attempt(c, t, o_.seconds, [&] { return !interrupted_; })), t.wanted,
-        o_.seconds);
+  void worths(const std::vector<attempt>& all, bool other, const char* what, std::vector<double>& to) {
+    using walk_here = cca::controller<walk<In>>;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (is_in_other(all[i]) == other) which.push_back(i);
+    const walk_here start;
+    const std::vector<double> values = rollouts(which.size(), what, [&](std::size_t i) {
+      const attempt& a = all[which[i]];
+      const auto begin = [this, &a](walk_here& c) {
+        c.template get<"gait.policy">().weights = with(a.last);
+        c.load();
+        return walking::attempt(c, a.trial, o_.seconds, [this] { return !interrupted_; });
+      };
+      return trot::run_of(start, begin, [this, &a](const trot::recording& run, const walk_here&) {
+        return walking::worth(walking::along_its_way(run), a.trial.wanted, o_.seconds);
+      });
+    });
+    for (std::size_t i = 0; i < values.size(); ++i) to[which[i]] = values[i];
   }
 
   // The same trials each time, so that their means can be compared.
   double review(const Eigen::VectorXd& last) {
-    const std::vector<double> values =
-        rollouts(review_.size(), "review", [&](std::size_t i) { return worth_in(last, review_[i], i); });
+    std::vector<attempt> attempts;
+    for (std::size_t i = 0; i < review_.size(); ++i) attempts.push_back({last, review_[i], i});
+    const std::vector<double> values = worths(attempts, "review");
     double sum = 0;
     for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());
@@ -283,7 +311,7 @@ int main(int count, char** words) {
   return cca::run_program(count, words, line, [&] {
     if (o.quick) o.shorten();
     using ode = cca::sim::world;
-    using compiled = cca::sim::compiled_oncilla_world;
+    using compiled = trot::beside<cca::sim::compiled_oncilla_world>;
     return o.engine == trot::engine::compiled ? training<compiled, ode>(o, cores).run()
                                               : training<ode, compiled>(o, cores).run();
   });

@@ -30,6 +30,7 @@
 #include "../trot/report/file.hpp"
 #include "../trot/report/finished_runs.hpp"
 #include "../trot/report/json.hpp"
+#include "../trot/own_run.hpp"
 #include "teaching.hpp"
 #include "trial.hpp"
 #include "worth.hpp"
@@ -123,13 +124,18 @@ int judge(const options& o) {
   const std::vector<walking::command> commands = o.commands();
   const auto all =
       trot::finished_runs("walking_policy_seeds", commands.size() * o.count, interrupted, [&](std::size_t i) {
-        auto c = start;
         walking::trial t{.number = o.first + i % o.count, .wanted = commands[i / o.count]};
         if (o.uncertain) t.uncertain = walking::drawn_trial(t.number).uncertain;
-        const auto figures =
-            walking::along_its_way(walking::attempt(c, t, o.seconds, [&] { return !interrupted; }, o.ground));
-        if (i == 0) limited = cca::summaries_of(c);
-        return run_of_seed{t.number, figures};
+        using controller = cca::controller<Architecture>;
+        return trot::run_of(
+            start,
+            [&, t](controller& c) {
+              return walking::attempt(c, t, o.seconds, [&interrupted] { return !interrupted; }, o.ground);
+            },
+            [&, i, t](const trot::recording& run, const controller& c) {
+              if (i == 0) limited = cca::summaries_of(c);
+              return run_of_seed{t.number, walking::along_its_way(run)};
+            });
       });
 
   std::size_t falls = 0, walked = 0;
@@ -223,7 +229,7 @@ int main(int count, char** words) {
     if (o.first + o.count > walking::first_of_training)
       throw cca::command_line_error("the seeds from " + std::to_string(walking::first_of_training) +
                                     " on are those of the training: take lower ones");
-    return o.engine == trot::engine::compiled ? judge_in<cca::sim::compiled_oncilla_world>(o)
+    return o.engine == trot::engine::compiled ? judge_in<trot::beside<cca::sim::compiled_oncilla_world>>(o)
                                               : judge_in<cca::sim::world>(o);
   });
 }

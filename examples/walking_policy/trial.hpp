@@ -37,18 +37,18 @@ inline trial drawn_trial(std::uint64_t number) {
   return t;
 }
 
-// A run of a loaded controller whose robot is uncertain.
+// A run of a loaded controller whose robot is uncertain, in steps.
 template <class Controller, class Between>
-trot::recording attempt(Controller& c,
-                        const trial& t,
-                        double seconds,
-                        Between between,
-                        const cca::sim::terrain& like = cca::sim::terrain::flat()) {
+auto attempt(Controller& c,
+             const trial& t,
+             double seconds,
+             Between between,
+             const cca::sim::terrain& like = cca::sim::terrain::flat()) {
   command_walk(c, t.wanted);
   return trot::on_drawn_ground(
       c, t.uncertain, cca::sim::disturbance::from_seed(t.number, seconds), like,
-      [&](auto& begun, const auto& ground, const auto& disturbance, const auto& settings) {
-        return roll_out(begun, ground, disturbance, seconds, between, settings);
+      [&](auto& of, const auto& ground, const auto& disturbance, const auto& settings) {
+        return trot::run_in_steps(of, begin(of, ground, disturbance, seconds, settings), seconds, between);
       });
 }
 

@@ -142,7 +142,7 @@ auto run_of(const Controller& start,
   const auto judge = [t, duty = what.gait.duty](const trot::recording& run, const Controller&) {
     return worth(trot::evaluate(run), duty, t);
   };
-  return trot::own_run<Controller, decltype(begin), decltype(judge)>(start, begin, judge);
+  return trot::run_of(start, begin, judge);
 }
 
 // Of the values of one gait's runs: their mean and the worst count the same.

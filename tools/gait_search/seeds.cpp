@@ -27,6 +27,7 @@
 #include "../../examples/trot/report/json.hpp"
 #include "../../examples/trot/report/statistics.hpp"
 #include "../../examples/trot/idle_robot.hpp"
+#include "../../examples/trot/own_run.hpp"
 #include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/uncertain.hpp"
 
@@ -62,7 +63,8 @@ void offer(cca::command_line& line, options& o) {
 template <class World>
 int run(const options& o) {
   const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
-  cca::controller<trot::uncertain_trot<World>> start;
+  using controller = cca::controller<trot::uncertain_trot<trot::beside<World>>>;
+  controller start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
 
@@ -72,16 +74,19 @@ int run(const options& o) {
   };
   const std::vector<run_of_seed> all =
       trot::finished_runs("trot_seeds", o.count, interrupted, [&](std::size_t i) {
-        auto controller = start;
         const std::uint64_t seed = o.first + i;
-        return run_of_seed{
-            seed, trot::on_drawn_ground(
-                      controller, o.uncertain ? trot::drawn_uncertainty(seed) : cca::sim::uncertainty{},
-                      cca::sim::disturbance::from_seed(seed, o.seconds), o.ground,
-                      [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
-                        return trot::evaluate(trot::roll_out(
-                            c, ground, disturbance, o.seconds, [&] { return !interrupted; }, settings));
-                      })};
+        const auto begin = [&, seed](controller& of) {
+          return trot::on_drawn_ground(
+              of, o.uncertain ? trot::drawn_uncertainty(seed) : cca::sim::uncertainty{},
+              cca::sim::disturbance::from_seed(seed, o.seconds), o.ground,
+              [&](auto& c, const auto& ground, const auto& disturbance, const auto& settings) {
+                return trot::run_in_steps(c, trot::begin(c, ground, disturbance, o.seconds, settings),
+                                          o.seconds, [&interrupted] { return !interrupted; });
+              });
+        };
+        return trot::run_of(start, begin, [seed](const trot::recording& run, const controller&) {
+          return run_of_seed{seed, trot::evaluate(run)};
+        });
       });
 
   const double commanded = start.template get<"gait">().p.duty;

@@ -72,10 +72,14 @@ void disturb(World& w, std::size_t which, int beat) {
   if (beat == 100 + 10 * static_cast<int>(which)) w.push({20, -10.0 * static_cast<double>(which % 3), 5});
   if (beat == 160 + 10 * static_cast<int>(which)) w.push({});
   if (beat == 200 && which % 2 == 1) w.pull("left_front_leg", {1, 2, 3}, {0.01, 0, 0.02});
-  if (beat == 50 && which % 4 == 2) {
+  if (beat == 50 && which % 4 > 0) {  // other drives in each, and the first of four as described
+    cca::random_numbers random(which);
     std::array<sim::drive_condition, 16> worn;
     for (std::size_t c = 0; c < 16; ++c)
-      worn[c] = {.strength = 0.8, .supply = 0.9, .friction = 0.01, .dry_friction = c % 2 == 0 ? 0.05 : 0};
+      worn[c] = {.strength = 1 - 0.3 * random.uniform(),
+                 .supply = 1 - 0.1 * random.uniform(),
+                 .friction = which % 4 == 3 ? 0 : 0.05 * random.uniform(),
+                 .dry_friction = which % 4 == 2 && c % 2 == 0 ? 0 : 0.1 * random.uniform()};
     w.set_condition(worn);
   }
 }

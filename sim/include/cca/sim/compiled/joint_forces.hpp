@@ -225,7 +225,7 @@ constexpr answer<Real> by_dry_friction(const Real& most,
   const answer<Real> stands{-(damping * (c.v + dv)), damping, Real(0.0)};
   const answer<Real> a =
       limited(stands, answer<Real>{-most, Real(0.0), Real(-1.0)}, {most, Real(0.0), Real(1.0)});
-  const auto skips = (a.side * last < Real(0.0)) & (most > Real(0.0));
+  const auto skips = a.side * last < Real(0.0);
   return {select(skips, stands.force, a.force), select(skips, stands.slope, a.slope),
           select(skips, stands.side, a.side)};
 }

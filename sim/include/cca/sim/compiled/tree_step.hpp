@@ -102,7 +102,7 @@ public:
         sides[c] = motor.side;
         const Real rubbed = taken[c].side;
         taken[c] = joints[c].at(guess[r], motor);
-        if (built->has_dry_friction) rub(c, guess[r], rounds == 1 ? Real(0.0) : rubbed);
+        if (built->has_dry_friction()) rub(c, guess[r], rounds == 1 ? Real(0.0) : rubbed);
         change[r] = change[r] + taken[c].force + taken[c].slope * guess[r];
         now.mass.diagonal(r) = now.mass.diagonal(r) + Real(h) * taken[c].slope;
       }
@@ -191,7 +191,8 @@ private:
   }
 
   constexpr void rub(std::size_t c, const Real& guess, const Real& last) {
-    const answer<Real> a = by_dry_friction(Real(built->drives[c].dry_friction), joints[c].now, guess, last);
+    const Real side = select(Real(built->rubs) > Real(0.0), last, Real(0.0));
+    const answer<Real> a = by_dry_friction(Real(built->drives[c].dry_friction), joints[c].now, guess, side);
     taken[c] += a;
     taken[c].side = a.side;
   }
@@ -234,7 +235,7 @@ private:
     for (std::size_t c = 0; c < n; ++c) {
       const Real& dv = change[row(c)];
       Real force = joints[c].at(dv, joints[c].motor.at(dv)).force;
-      if (built->has_dry_friction)
+      if (built->has_dry_friction())
         force =
             force + by_dry_friction(Real(built->drives[c].dry_friction), joints[c].now, dv, Real(0.0)).force;
       check(taken[c], force, dv - guess[row(c)]);

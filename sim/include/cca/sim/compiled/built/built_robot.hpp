@@ -18,7 +18,7 @@ struct built_robot {
   using number = number_of<Real>;
 
   std::array<drive_numbers<number>, n> drives{};
-  bool has_dry_friction = false;
+  number rubs{};  // 1 where a joint has dry friction, 0 where none has
   added_masses<R, number> added{};
 
   constexpr built_robot() { take({}); }
@@ -32,13 +32,15 @@ struct built_robot {
 
   // Over the coordinates; none: as described.
   constexpr void take(std::span<const drive_condition> conditions) {
-    has_dry_friction = false;
+    rubs = number(0.0);
     for (std::size_t c = 0; c < n; ++c) {
       drives[c] = drive_numbers<number>(c < conditions.size() ? in_condition(R::drives[c], conditions[c])
                                                               : R::drives[c]);
-      has_dry_friction = has_dry_friction || is_any(drives[c].dry_friction);
+      if (is_any(drives[c].dry_friction)) rubs = number(1.0);
     }
   }
+
+  bool has_dry_friction() const { return is_any(rubs); }
 
   // Of a robot in a lane. `take_lane` of each lane, in their order.
   void take_lane(int k, const built_robot<R, double>& one)
@@ -50,7 +52,7 @@ struct built_robot {
       to.torque.set(k, from.torque), to.no_load_speed.set(k, from.no_load_speed);
       to.friction.set(k, from.friction), to.dry_friction.set(k, from.dry_friction);
     }
-    has_dry_friction = (k > 0 && has_dry_friction) || one.has_dry_friction;
+    rubs.set(k, one.rubs);
     added.take_lane(k, one.added);
   }
 };
