@@ -6,8 +6,9 @@
 //   cca::sim::advance_together(worlds);             a span of pointers to both: their beats of physics
 //
 // `advance(laws)` of such a world only keeps the laws: the world waits until it advances with others, so a
-// beat of its controller has no physics, and a fault comes a beat later. Each world has the bits that it has
-// alone, whatever advances with it (without contraction: lanes.hpp).
+// beat of its controller has no physics, and a fault comes a beat later. If it waits already, it follows the
+// laws that it has before it keeps others, so no beat is lost. Each world has the bits that it has alone,
+// whatever advances with it (without contraction: lanes.hpp).
 //
 // `cca::sim::rollouts` does all this for runs that go in steps.
 //
@@ -38,6 +39,7 @@ public:
   static side_by_side at_start() { return side_by_side(World::at_start()); }
 
   void advance(std::span<const joint_law> laws) {
+    advance_alone();
     count_ = std::min(laws.size(), asked_.size());
     std::copy_n(laws.begin(), count_, asked_.begin());
     waits_ = true;
