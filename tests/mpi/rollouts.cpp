@@ -89,7 +89,7 @@ public:
     else if (name == "steps_die")
       in_steps([&](std::size_t generation, std::size_t, std::size_t beat) {
         if (generation == 1 && is_chosen && beat == 10) std::raise(signal);
-        if (beat == 5) wait(2);
+        if (beat == 5) wait(5);
       });
     else if (name == "steps_fail") steps_fail();
     else if (name == "steps_stop") steps_stop();

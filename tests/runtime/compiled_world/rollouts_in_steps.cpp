@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
+#include <mutex>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -216,7 +220,24 @@ TEST_SUITE("rollouts in steps") {
     CHECK_EQ(most(1, 1), 1);
     CHECK_EQ(most(3, 1), 3);
     CHECK_EQ(most(23, 1), 4);
-    CHECK_LE(most(2, 2), 2);
+    // Each of two runs goes on until both threads have one.
+    struct waiting : counted_run {
+      std::set<std::thread::id>* seen;
+      std::mutex* at_hand;
+      std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
+      waiting(std::atomic<std::size_t>& all, std::set<std::thread::id>& threads, std::mutex& m)
+          : counted_run(all, 0), seen(&threads), at_hand(&m) {}
+      bool step() {
+        const std::lock_guard lock(*at_hand);
+        seen->insert(std::this_thread::get_id());
+        return seen->size() < 2 && std::chrono::steady_clock::now() - begun < std::chrono::seconds(20);
+      }
+    };
+    std::atomic<std::size_t> living = 0;
+    std::set<std::thread::id> seen;
+    std::mutex at_hand;
+    sim::rollouts(2, [&](std::size_t) { return waiting(living, seen, at_hand); }, {.threads = 2});
+    CHECK_EQ(seen.size(), 2);
     CHECK_EQ(sim::detail::places_of_thread<counted_run>(0, 2), 1);
     CHECK_EQ(sim::detail::places_of_thread<counted_run>(2, 2), 1);
     CHECK_EQ(sim::detail::places_of_thread<counted_run>(5, 2), 3);
@@ -232,10 +253,11 @@ TEST_SUITE("rollouts in steps") {
     CHECK_EQ(living, 0);
   }
 
-  TEST_CASE("a step that makes its beat and then says no has the physics of that beat") {
+  TEST_CASE("no beat is lost: neither before the first step, nor of a step that makes one and says no") {
     struct counting {
       std::size_t left;
       sim::side_by_side<sim::compiled_world<arm::description>> w{};
+      explicit counting(std::size_t beats) : left(beats) { w.advance({}), w.advance({}); }
       auto& world() { return w; }
       bool step() {
         w.advance({});
@@ -243,8 +265,32 @@ TEST_SUITE("rollouts in steps") {
       }
       double result() { return w.time(); }
     };
-    const auto times = sim::rollouts(5, [](std::size_t i) { return counting{3 * i + 1}; }, {.threads = 1});
-    for (std::size_t i = 0; i < 5; ++i) CHECK_EQ(times[i], doctest::Approx(1e-3 * static_cast<double>(3 * i + 1)));
+    const auto times = sim::rollouts(5, [](std::size_t i) { return counting(3 * i + 1); }, {.threads = 1});
+    for (std::size_t i = 0; i < 5; ++i)
+      CHECK_EQ(times[i], doctest::Approx(1e-3 * static_cast<double>(3 * i + 3)));
+  }
+
+  TEST_CASE("a thread may wait for a run only where it has none") {
+    std::atomic<std::size_t> living = 0;
+    std::size_t given = 0, refused = 0;
+    bool is_right = true;
+    std::vector<std::size_t> ended;
+    // Every other time none is given to a thread that could not wait for it.
+    const auto next = [&](bool is_idle) -> std::optional<std::size_t> {
+      is_right = is_right && is_idle == (living == 0);
+      if (given == 17 || (!is_idle && ++refused % 2 == 0)) return {};
+      return given++;
+    };
+    const auto begin = [&](std::size_t i) { return counted_run(living, 1 + i * 5 % 11); };
+    sim::detail::make_runs(
+        begin, 4, next, [&](std::size_t i, const std::unique_ptr<std::size_t>&) { ended.push_back(i); },
+        [&](std::size_t) { is_right = false; });
+    CHECK(is_right);
+    CHECK_GT(refused, 4);
+    std::ranges::sort(ended);
+    std::vector<std::size_t> each(17);
+    std::iota(each.begin(), each.end(), std::size_t{0});
+    CHECK_EQ(ended, each);
   }
 
   TEST_CASE("an exception anywhere in a run ends all: the lowest number is thrown, and others end") {

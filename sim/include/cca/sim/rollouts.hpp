@@ -61,9 +61,8 @@ template <class Run>
 constexpr void check_run() {
   if constexpr (ReturnsHalfRun<Run>)
     static_assert(!ReturnsHalfRun<Run>,
-                  "cca::sim::rollouts: what a run returns looks like a run in steps, and is none: it has "
-                  "`bool step()`, `world()`, which returns a reference to its world, not a const one, and "
-                  "`result()`");
+                  "cca::sim::rollouts: what a run returns looks like a run in steps, but is none: one has "
+                  "`bool step()`, `result()`, and `world()`, which returns a reference that is not const");
   else if constexpr (ReturnsRunInSteps<Run>)
     static_assert(ReturnsValue<Run>,
                   "cca::sim::rollouts: the `result()` of a run in steps returns what is to be kept of it: a "
