@@ -51,6 +51,7 @@ struct alone : waved<sim::compiled> {};
 struct in_engine : waved<sim::robot_world> {};
 
 // [runs_in_steps]
+// The same graph, with a world that goes beside others.
 struct beside : waved<sim::side_by_side<sim::compiled>> {};
 
 // Half a second of a wave; then how fast the tip is.
