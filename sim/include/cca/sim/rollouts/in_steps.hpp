@@ -120,7 +120,8 @@ private:
         return true;
       }
       if constexpr (goes_beside)
-        if (world* const last = &p.run->world(); last->waits()) advance_together(std::span<world* const>(&last, 1));
+        if (world* const last = &p.run->world(); last->waits())
+          advance_together(std::span<world* const>(&last, 1));
       keep(p.number, p.run->result());
     } catch (...) { failed(p.number); }
     p.run.reset();
@@ -136,9 +137,9 @@ private:
   Failed& failed;
 };
 
-// On this thread, up to `at_once` at once: all runs that `next` gives. `next(is_idle)`: the number of a run to
-// begin, or none; `is_idle`: no run is under way, so it may wait for one, and none ends this. It is asked in
-// each beat while there is room. `keep(i, result)`; `failed(i)` is called where an exception is handled.
+// On this thread, up to `at_once` at once: all runs that `next` gives. `next(is_idle)`: the number of a run
+// to begin, or none; `is_idle`: no run is under way, so it may wait for one, and none ends this. It is asked
+// in each beat while there is room. `keep(i, result)`; `failed(i)` is called where an exception is handled.
 template <class Run, class Next, class Keep, class Failed>
 void make_runs(Run& run, std::size_t at_once, Next next, Keep keep, Failed failed) {
   using returned = std::invoke_result_t<Run&, std::size_t>;
