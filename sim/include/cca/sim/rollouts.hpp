@@ -48,7 +48,7 @@ template <class Run> concept ReturnsValue = std::is_invocable_v<Run&, std::size_
                                             keeps_result<std::invoke_result_t<Run&, std::size_t>> &&
                                             std::is_object_v<std::invoke_result_t<Run&, std::size_t>> &&
                                             !std::is_const_v<std::invoke_result_t<Run&, std::size_t>>;
-// As it looks, but a part is missing or returns something else.
+// Looks like a run in steps, but a part is missing or returns something else.
 template <class Run> concept ReturnsHalfRun = std::is_invocable_v<Run&, std::size_t> &&
                                               LooksLikeRunInSteps<std::invoke_result_t<Run&, std::size_t>> &&
                                               !RunInSteps<std::invoke_result_t<Run&, std::size_t>>;

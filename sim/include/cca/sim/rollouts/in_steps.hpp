@@ -39,7 +39,7 @@ template <class Run> concept RunInSteps = requires(Run& run) {
 
 namespace detail {
 
-// Has a part of what a run in steps has: meant as one, as no result has both.
+// Meant as a run in steps: no result has these names together.
 template <class Run> concept LooksLikeRunInSteps =
     requires(Run& run) { run.step(), run.world(); } || requires(Run& run) { run.step(), run.result(); };
 
