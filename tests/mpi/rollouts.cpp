@@ -39,8 +39,8 @@ struct kept {
 
 using arm = cca::robots::arm::description;
 
-// A run in steps: the arm falls under weak drives, from where `best` of the generation before says, for a
-// number of beats of its own.
+// A run in steps: the arm falls under weak springs that follow the last reading, from where `best` of the
+// generation before says, for a number of beats of its own.
 struct falling {
   std::size_t number, left;
   cca::sim::side_by_side<cca::sim::compiled_world<arm>> w{};
@@ -57,7 +57,8 @@ struct falling {
     if (left == 0 || w.trouble()) return false;
     meanwhile(left--);
     std::array<cca::sim::joint_law, 7> laws{};
-    for (std::size_t c = 0; c < 7; ++c) laws[c] = {.position = arm::start[c], .stiffness = 5, .damping = 0.5};
+    for (std::size_t c = 0; c < 7; ++c)
+      laws[c] = {.torque = 5 * (arm::start[c] - w.joints()[c].angle), .damping = 0.5};
     w.advance(laws);
     return true;
   }
