@@ -134,6 +134,26 @@ def first(bench):
     expect(not bench.written(), "a rank came to its end")
 
 
+def steps(bench):
+    """Runs in steps, several at once on a thread: the same bits, exceptions and stops; a rank that is killed costs its runs."""
+    alone, _ = bench.run(0, "steps")
+    expect(alone[0].count("told of each on rank 0") == 9 and "not told" not in alone[0], "not each result is told of")
+    expect(alone[0].count("\n") == 3 * (4 * (1 + 3 + 45) + 3), "the run without mpirun has too few results")
+    for ranks in (1, 2, 4):
+        results, _ = bench.run(ranks, "steps")
+        all_same(results, range(ranks), alone[0])
+    results, printed = bench.run(4, "steps_die", 2, int(signal.SIGKILL), silence=SILENCE)
+    all_same(results, {0, 1, 3}, alone[0])
+    expect("rank 2 was ended by signal 9" in printed, "nobody says that it was killed")
+    results, _ = bench.run(4, "steps_fail")
+    all_same(results, range(4), "run 1 of 1\n" * 2 + "3 results afterwards\n")
+    for rank in (0, 3):
+        results, _ = bench.run(4, "steps_stop", rank)
+        lines = results[0].splitlines()
+        expect(lines[0] == "some", f"{lines[0]} were returned")
+        all_same(results, range(4), "".join(f"{line}\n" for line in ["some", *(f"run {i}" for i in range(len(lines) - 1))]))
+
+
 def long(bench):
     """A run, or what a program does between calls, may take longer than the silence: nobody is left out."""
     results, printed = bench.run(3, "long", silence=SILENCE)
@@ -211,7 +231,7 @@ def two_machines(bench):
             os.kill(int(pid), signal.SIGKILL)
 
 
-CASES = {f.__name__: f for f in (bits, killed, still, wakes, leaves, first, long, errors, stops, interrupted, two_machines)}
+CASES = {f.__name__: f for f in (bits, killed, still, wakes, leaves, first, steps, long, errors, stops, interrupted, two_machines)}
 
 
 def same(bench, file, words):

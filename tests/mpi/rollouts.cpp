@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <chrono>
@@ -21,8 +22,12 @@
 #include <vector>
 
 #include <cca/base/math.hpp>
+#include <cca/cca.hpp>
 #include <cca/mpi/ranks.hpp>
+#include <cca/robots/arm/description.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/sim/compiled/compiled_world.hpp>
+#include <cca/sim/compiled/together/side_by_side.hpp>
 
 namespace {
 
@@ -30,6 +35,39 @@ using std::chrono::milliseconds;
 
 struct kept {
   BOOST_HANA_DEFINE_STRUCT(kept, (std::vector<double>, path), (std::string, name), (bool, fell));
+};
+
+using arm = cca::robots::arm::description;
+
+// A run in steps: the arm falls under weak springs that follow the last reading, from where `best` of the
+// generation before says, for a number of beats of its own.
+struct falling {
+  std::size_t number, left;
+  cca::sim::side_by_side<cca::sim::compiled_world<arm>> w{};
+  std::function<void(std::size_t beat)> meanwhile;
+
+  falling(std::size_t i, double best, std::function<void(std::size_t)> act)
+      : number(i), left(20 + 7 * i % 30), meanwhile(std::move(act)) {
+    auto q = arm::start;
+    q[1] += 0.1 * best + 0.003 * static_cast<double>(i);
+    w.place(q, {});
+  }
+  auto& world() { return w; }
+  bool step() {
+    if (left == 0 || w.trouble()) return false;
+    meanwhile(left--);
+    std::array<cca::sim::joint_law, 7> laws{};
+    for (std::size_t c = 0; c < 7; ++c)
+      laws[c] = {.torque = 5 * (arm::start[c] - w.joints()[c].angle), .damping = 0.5};
+    w.advance(laws);
+    return true;
+  }
+  kept result() {
+    const auto end = w.end("arm");
+    return {{w.joints()[1].angle, end.velocity[0], end.velocity.norm()},
+            "run " + std::to_string(number),
+            end.velocity[2] < 0};
+  }
 };
 
 void wait(int ms) { std::this_thread::sleep_for(milliseconds(ms)); }
@@ -48,6 +86,14 @@ public:
     const bool is_chosen = all.rank() == rank;
     if (name == "bits") search([](std::size_t, std::size_t) {});
     else if (name == "few") few();
+    else if (name == "steps") in_steps([](std::size_t, std::size_t, std::size_t) {});
+    else if (name == "steps_die")
+      in_steps([&](std::size_t generation, std::size_t, std::size_t beat) {
+        if (generation == 1 && is_chosen && beat == 10) std::raise(signal);
+        if (beat == 5) wait(5);
+      });
+    else if (name == "steps_fail") steps_fail();
+    else if (name == "steps_stop") steps_stop();
     else if (name == "dies")
       search([&](std::size_t generation, std::size_t) {
         if (generation == 1 && is_chosen) std::raise(signal);
@@ -105,6 +151,59 @@ private:
       for (const double value : values) say(value);
       best = *std::ranges::max_element(values);
     }
+  }
+
+  // Runs in steps, each generation from where the best of the one before has ended.
+  void in_steps(const std::function<void(std::size_t, std::size_t, std::size_t)>& meanwhile) {
+    double best = 1;
+    for (std::size_t generation = 0; generation < 3; ++generation)
+      for (const std::size_t count : {1u, 3u, 45u}) {
+        std::vector<std::size_t> told;
+        const auto run = [&](std::size_t i) {
+          return falling(i, best, [&, generation, i](std::size_t beat) { meanwhile(generation, i, beat); });
+        };
+        const auto results = all.rollouts(count, run, {.over = [&](std::size_t n) { told.push_back(n); }});
+        for (const kept& one : results) {
+          say(one.name + (one.fell ? " fell" : ""));
+          for (const double value : one.path) say(value);
+          best = std::min(std::max(best, one.path.at(2)), 2.0);
+        }
+        bool each = all.is_first() ? told.size() == count : told.empty();
+        for (std::size_t i = 0; i < told.size(); ++i) each = each && told[i] == i + 1;
+        say(each ? "told of each on rank 0" : "not told of each");
+      }
+  }
+
+  // Run 3 fails first; run 1, which is under way then, fails later.
+  void steps_fail() {
+    const auto run = [](std::size_t i) {
+      return falling(i, 0, [i, beats = 0](std::size_t) mutable {
+        wait(i == 1 ? 30 : 2);
+        if (++beats == 15 && (i == 1 || i == 3)) throw std::runtime_error("run " + std::to_string(i));
+      });
+    };
+    for (int k = 0; k < 2; ++k) {
+      all.rollouts(4, [](std::size_t i) { return i; });  // now all ranks are there
+      try {
+        all.rollouts(12, run, {.threads = 1});
+        say("nothing was thrown");
+      } catch (const cca::mpi::failed_run& e) {
+        say(e.what() + std::string(" of ") + std::to_string(e.number));
+      }
+    }
+    say(std::to_string(all.rollouts(3, [](std::size_t i) { return i; }).size()) + " results afterwards");
+  }
+
+  void steps_stop() {
+    std::atomic<bool> stop = false;
+    std::atomic<int> begun = 0;
+    const auto run = [&](std::size_t i) {
+      if (all.rank() == rank && ++begun == 9) stop = true;
+      return falling(i, 0, [](std::size_t beat) { beat == 5 ? wait(4) : void(); });
+    };
+    const auto results = all.rollouts(4000, run, {.stops = [&] { return stop.load(); }});
+    say(results.empty() || results.size() >= 4000 ? "none or all" : "some");
+    for (const kept& each : results) say(each.name);
   }
 
   void few() {

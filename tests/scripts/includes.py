@@ -47,7 +47,7 @@ ROOMS = {"base": [".", "math", "math.hpp", "messages", "recording", "response", 
          "robots": [".", "arm", "oncilla"],
          "hardware": ["bus", "drives", "safety", "robot", "oncilla", "virtual_drives"],
          "hardware/robot": ["boards", "."],
-         "sim": ["engine", "robot", "uncertain", "compiled", "oncilla", "rollouts", "."],
+         "sim": ["rollouts", "engine", "robot", "uncertain", "compiled", "oncilla", "."],
          "sim/compiled": ["scalar.hpp", "slots.hpp", "lanes", "branches.hpp", "joint_forces.hpp", "compiled_tree.hpp", "tree_motion.hpp", "around", "limbs", "on_links.hpp", "built", ".", "contacts", "compiled_state.hpp", "readings", "step", "compiled_world.hpp", "together", "robot.hpp", "plant.hpp"],
          "sim/robot": ["model", "tree", "forces", "world", "."],
          "record": ["mcap", "messages", "file", "loops", "replay", "."],
@@ -82,9 +82,9 @@ def room_include(where, target):
 
 
 def room_of(path, rooms):
-    if "/" in path:
-        return path.split("/")[0]
-    return path if path in rooms else "."
+    if path in rooms:
+        return path
+    return path.split("/")[0] if "/" in path else "."
 
 
 def unknown_rooms(root):

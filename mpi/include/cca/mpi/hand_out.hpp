@@ -25,8 +25,8 @@ class hand_out {
 public:
   explicit hand_out(std::size_t count) : place(count, waits), results(count) {}
 
-  // Runs for `idle` threads that have no work, out of `all` threads on all ranks of which `own` are of this
-  // rank: at least one for each, and more at once while many wait.
+  // Runs for a rank that could begin `idle` of them now, and has `own` of `all` threads: at least as many,
+  // and more at once while many wait.
   std::vector<std::uint64_t> take(int rank, std::size_t idle, std::size_t own, std::size_t all) {
     std::vector<std::uint64_t> taken;
     if (ceased) return taken;

@@ -1,4 +1,4 @@
-// The runs of one call that a rank makes, on its threads.
+// The runs of one call that a rank makes, on its threads. A thread makes up to `at_once` of them at once.
 #pragma once
 
 #include <algorithm>
@@ -37,15 +37,23 @@ inline std::string text_of(const std::exception_ptr& error) {
 
 class local_runs {
 public:
-  // `run`: a result as bytes. `stops`: asked before and after each run. `wake`: called when a run is over.
+  // What a thread makes its runs by: `next`, `done` and `failed` say how.
+  using work = std::function<void(local_runs&)>;
+
+  // `stops`: asked before and after each run. `wake`: called when a run is over.
   local_runs(std::size_t count,
              unsigned thread_count,
-             std::function<std::string(std::size_t)> run_one,
+             std::size_t at_once_each,
+             work on_each_thread,
              std::function<bool()> is_to_stop,
              std::function<void()> wake_up)
-      : runs(count), run(std::move(run_one)), stops(std::move(is_to_stop)), wake(std::move(wake_up)) {
+      : runs(count),
+        at_once(at_once_each),
+        make(std::move(on_each_thread)),
+        stops(std::move(is_to_stop)),
+        wake(std::move(wake_up)) {
     try {
-      while (threads.size() < thread_count) threads.emplace_back([this] { work(); });
+      while (threads.size() < thread_count) threads.emplace_back([this] { make(*this); });
     } catch (const std::system_error&) {
       if (threads.empty()) throw;  // those that there are go on
     }
@@ -79,9 +87,11 @@ public:
     const std::lock_guard lock(at_hand);
     return std::exchange(over, {});
   }
+  // How many runs could begin now.
   std::size_t idle() {
     const std::lock_guard lock(at_hand);
-    return threads.size() - std::min(threads.size(), under_way + queue.size());
+    const std::size_t places = threads.size() * at_once;
+    return places - std::min(places, under_way + queue.size());
   }
   std::size_t thread_count() const { return threads.size(); }
   bool is_stopped() {
@@ -89,42 +99,53 @@ public:
     return stopped;
   }
 
+  // ---- on a thread that makes runs ----
+
+  // The number of a run that begins now, or none. `is_idle`: the thread has no run under way, so this waits
+  // for one, and none is its end.
+  std::optional<std::size_t> next(bool is_idle) {
+    for (;;) {
+      std::uint64_t i = 0;
+      {
+        std::unique_lock lock(at_hand);
+        if (is_idle) changed.wait(lock, [&] { return ends || !queue.empty(); });
+        if (queue.empty()) return {};
+        i = queue.front();
+        queue.pop_front();
+        ++under_way;
+      }
+      if (!is_cut_short(i)) return i;
+    }
+  }
+  void done(std::size_t i, std::string result) {
+    if (!is_cut_short(i)) end({i, finished_run::end::done, std::move(result)});
+  }
+  // Within the handler of what the run has thrown.
+  void failed(std::size_t i) { end({i, finished_run::end::failed, text_of(std::current_exception())}); }
+
 private:
   void drop(std::uint64_t i) { over.push_back({i, finished_run::end::dropped}); }
 
-  void work() {
-    std::unique_lock lock(at_hand);
-    for (;;) {
-      changed.wait(lock, [&] { return ends || !queue.empty(); });
-      if (queue.empty()) return;
-      const std::uint64_t i = queue.front();
-      queue.pop_front();
-      ++under_way;
-      lock.unlock();
-      finished_run one = make(i);
-      lock.lock();
+  // The run ends here if all are to stop, or if that could not be asked: then it is not the run that failed.
+  bool is_cut_short(std::uint64_t i) {
+    std::optional<std::string> wrong;
+    try {
+      if (!asks()) return false;
+    } catch (...) { wrong = text_of(std::current_exception()); }
+    if (wrong) {
+      const std::lock_guard lock(at_hand);
+      over.push_back({runs, finished_run::end::failed, *wrong});
+    }
+    end({i, finished_run::end::dropped});
+    return true;
+  }
+  void end(finished_run one) {
+    {
+      const std::lock_guard lock(at_hand);
       --under_way;
       over.push_back(std::move(one));
-      lock.unlock();
-      wake();
-      lock.lock();
     }
-  }
-  finished_run make(std::uint64_t i) {
-    finished_run one{i, finished_run::end::dropped};
-    std::uint64_t to_blame = runs;  // no run
-    try {
-      if (asks()) return one;
-      to_blame = i;
-      std::string bytes = run(i);
-      to_blame = runs;
-      if (asks()) return one;
-      return {i, finished_run::end::done, std::move(bytes)};
-    } catch (...) {
-      const std::lock_guard lock(at_hand);
-      if (to_blame != i) over.push_back(one);  // the run itself has not failed
-      return {to_blame, finished_run::end::failed, text_of(std::current_exception())};
-    }
+    wake();
   }
   bool asks() {
     if (!stops || !stops()) return false;
@@ -132,8 +153,8 @@ private:
     return stopped = true;
   }
 
-  const std::size_t runs;
-  const std::function<std::string(std::size_t)> run;
+  const std::size_t runs, at_once;
+  const work make;
   const std::function<bool()> stops;
   const std::function<void()> wake;
   std::mutex at_hand;

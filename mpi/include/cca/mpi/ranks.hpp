@@ -62,22 +62,34 @@ public:
   // `over`: called on rank 0. One call at a time, not from within a run.
   template <class Run>
   auto rollouts(std::size_t count, Run run, const sim::rollout_settings& settings = {}) {
-    if constexpr (!sim::detail::ReturnsValue<Run>) {
+    if constexpr (!sim::detail::MakesRollouts<Run>) {
       return sim::rollouts(count, std::move(run), settings);  // says what is wrong
     } else {
-      using result = std::invoke_result_t<Run&, std::size_t>;
+      using returned = std::invoke_result_t<Run&, std::size_t>;
+      using result = typename sim::detail::result_of_run<returned>::type;
       static_assert(cca::detail::holds_or_tells<detail::Packable<result>, detail::not_sent<result>>::value);
       if constexpr (detail::Packable<result>) {
         if (!job_) return sim::rollouts(count, std::move(run), settings);
-        detail::call_facts call{0, count,
+        const unsigned threads = settings.threads > 0 ? settings.threads : job_->threads();
+        const std::size_t at_once =
+            sim::detail::places_of_thread<returned>(count, threads * static_cast<std::size_t>(this->count()));
+        const auto work = [&run, at_once](detail::local_runs& own) {
+          sim::detail::make_runs(
+              run, at_once, [&own](bool is_idle) { return own.next(is_idle); },
+              [&own](std::size_t i, const result& one) {
+                std::string bytes;
+                detail::put(bytes, one);
+                own.done(i, std::move(bytes));
+              },
+              [&own](std::size_t i) { own.failed(i); });
+        };
+        detail::call_facts call{0,
+                                count,
                                 std::to_string(count) + " runs that return `" +
                                     std::string(cca::detail::type_name<result>()) + "`",
-                                settings.threads > 0 ? settings.threads : job_->threads(),
-                                [&run](std::size_t i) {
-                                  std::string bytes;
-                                  detail::put(bytes, static_cast<const result&>(run(i)));
-                                  return bytes;
-                                }};
+                                threads,
+                                at_once,
+                                work};
         std::vector<result> all;
         for (const std::string& one : make(call, settings)) {
           std::string_view bytes = one;

@@ -41,7 +41,8 @@ struct call_facts {
   std::size_t count;     // runs
   std::string in_words;  // the same on all ranks
   unsigned threads;
-  std::function<std::string(std::size_t)> run;
+  std::size_t at_once;    // runs of a thread
+  local_runs::work make;  // on each thread
 };
 
 struct call_outcome {
@@ -57,7 +58,7 @@ public:
       : mail(carrier),
         call(facts),
         s(settings),
-        own(call.count, facts.threads, call.run, s.stops, [this] { mail.wake(); }) {}
+        own(call.count, facts.threads, facts.at_once, facts.make, s.stops, [this] { mail.wake(); }) {}
 
   call_outcome make() { return mail.rank == 0 ? hand_out_all() : help(); }
 

@@ -44,36 +44,63 @@ struct rollout_settings {
 
 namespace detail {
 
-template <class Run> concept ReturnsValue =
-    std::is_invocable_v<Run&, std::size_t> &&
-    std::move_constructible<typename result_of_run<std::invoke_result_t<Run&, std::size_t>>::type> &&
-    std::is_object_v<std::invoke_result_t<Run&, std::size_t>> &&
-    !std::is_const_v<std::invoke_result_t<Run&, std::size_t>>;
+template <class Run> concept ReturnsValue = std::is_invocable_v<Run&, std::size_t> &&
+                                            keeps_result<std::invoke_result_t<Run&, std::size_t>> &&
+                                            std::is_object_v<std::invoke_result_t<Run&, std::size_t>> &&
+                                            !std::is_const_v<std::invoke_result_t<Run&, std::size_t>>;
+// Looks like a run in steps, but a part is missing or returns something else.
+template <class Run> concept ReturnsHalfRun = std::is_invocable_v<Run&, std::size_t> &&
+                                              LooksLikeRunInSteps<std::invoke_result_t<Run&, std::size_t>> &&
+                                              !RunInSteps<std::invoke_result_t<Run&, std::size_t>>;
+template <class Run> concept ReturnsRunInSteps =
+    std::is_invocable_v<Run&, std::size_t> && RunInSteps<std::invoke_result_t<Run&, std::size_t>>;
+template <class Run> concept MakesRollouts = ReturnsValue<Run> && !ReturnsHalfRun<Run>;
+
+// Says what is wrong with a run.
+template <class Run>
+constexpr void check_run() {
+  if constexpr (ReturnsHalfRun<Run>)
+    static_assert(!ReturnsHalfRun<Run>,
+                  "cca::sim::rollouts: what a run returns looks like a run in steps, but is none: one has "
+                  "`bool step()`, `result()`, and `world()`, which returns a reference that is not const");
+  else if constexpr (ReturnsRunInSteps<Run>)
+    static_assert(ReturnsValue<Run>,
+                  "cca::sim::rollouts: the `result()` of a run in steps returns what is to be kept of it: a "
+                  "value that can be moved");
+  else
+    static_assert(ReturnsValue<Run>,
+                  "cca::sim::rollouts: a run takes its number, and returns what is to be kept of it: a value "
+                  "that can be moved");
+}
 
 // The runs of one call that no thread has taken yet, and the first that failed.
 class shared_rollouts {
 public:
   shared_rollouts(std::size_t runs, const rollout_settings& settings) : count(runs), s(settings) {}
 
-  // The runs that a thread makes. `keep(i, result)`.
+  // The runs that a thread makes, up to `at_once` at once. `keep(i, result)`.
   template <class Run, class Keep>
-  void work(Run& run, const Keep& keep) {
+  void work(Run& run, std::size_t at_once, const Keep& keep) {
     make_runs(
-        run, [this](bool) { return taken(); },
+        run, at_once, [this](bool) { return taken(); },
         [&](std::size_t i, auto&& result) {
           keep(i, std::forward<decltype(result)>(result));
           tell();
         },
         [this](std::size_t i) { failed(i); });
   }
-  // No further run begins. What a run returns that is cut short is not kept.
-  bool is_stopped() const { return has_failed || (s.stops && s.stops()); }
+  // It is to stop: no further run begins. What a run returns that is cut short is not kept.
+  bool is_stopped() {
+    if (!has_stopped && s.stops && s.stops()) has_stopped = true;
+    return has_stopped;
+  }
   void rethrow() const {
     if (error) std::rethrow_exception(error);
   }
 
 private:
   std::optional<std::size_t> taken() {
+    if (has_failed || next >= count) return {};
     try {
       if (is_stopped()) return {};
     } catch (...) {
@@ -97,7 +124,7 @@ private:
   const std::size_t count;
   const rollout_settings& s;
   std::atomic<std::size_t> next = 0;
-  std::atomic<bool> has_failed = false;
+  std::atomic<bool> has_failed = false, has_stopped = false;
   std::mutex telling;
   std::size_t finished = 0, failed_at = 0;
   std::exception_ptr error;
@@ -119,21 +146,22 @@ bool begins(std::vector<std::jthread>& threads, const Work& work) {
 // returned, so the vector is shorter.
 template <class Run>
 auto rollouts(std::size_t count, Run run, const rollout_settings& settings = {}) {
-  if constexpr (!detail::ReturnsValue<Run>) {
-    static_assert(detail::ReturnsValue<Run>,
-                  "cca::sim::rollouts: a run takes its number, and returns what is to be kept of it: a value "
-                  "that can be moved");
+  if constexpr (!detail::MakesRollouts<Run>) {
+    detail::check_run<Run>();
   } else {
     using result = typename detail::result_of_run<std::invoke_result_t<Run&, std::size_t>>::type;
     std::vector<std::optional<result>> kept(count);
     detail::shared_rollouts all(count, settings);
     const auto keep = [&](std::size_t i, result one) {
-      if (!settings.stops || !settings.stops()) kept[i].emplace(std::move(one));
+      if (!all.is_stopped()) kept[i].emplace(std::move(one));
     };
     {
-      const std::size_t cores = settings.threads > 0 ? settings.threads : std::thread::hardware_concurrency();
+      const std::size_t cores =
+          std::max(settings.threads > 0 ? settings.threads : std::thread::hardware_concurrency(), 1u);
+      const std::size_t at_once =
+          detail::places_of_thread<std::invoke_result_t<Run&, std::size_t>>(count, cores);
       std::vector<std::jthread> others;
-      const auto work = [&] { all.work(run, keep); };
+      const auto work = [&] { all.work(run, at_once, keep); };
       for (std::size_t t = 1; t < std::min(cores, count) && detail::begins(others, work);) ++t;
       work();
     }

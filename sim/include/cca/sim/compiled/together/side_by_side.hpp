@@ -6,9 +6,10 @@
 //   cca::sim::advance_together(worlds);             an array of pointers to both: their beats of physics
 //
 // `advance(laws)` of such a world only keeps the laws: the world waits until it advances with others, so a
-// beat of its controller has no physics, and a fault comes a beat later: ask `trouble()` before. Worlds that
-// can't be lanes of one vector (beat_in_lanes.hpp says which can) advance one by one. Each world has the bits
-// that it has alone, whatever advances with it (without contraction: lanes.hpp).
+// beat of its controller has no physics, and a fault comes a beat later: ask `trouble()` before. If it waits
+// already, it follows the laws that it has before it keeps others, so no beat is lost. Worlds that can't be
+// lanes of one vector (beat_in_lanes.hpp says which can) advance one by one. Each world has the bits that it
+// has alone, whatever advances with it (without contraction: lanes.hpp).
 //
 // `cca::sim::rollouts` does all this for runs that go in steps.
 //
@@ -42,6 +43,7 @@ public:
   static side_by_side at_start() { return side_by_side(World::at_start()); }
 
   void advance(std::span<const joint_law> laws) {
+    advance_alone();
     count_ = std::min(laws.size(), asked_.size());
     std::copy_n(laws.begin(), count_, asked_.begin());
     waits_ = !this->trouble();
@@ -51,6 +53,10 @@ public:
   std::span<const joint_law> asked() const { return {asked_.data(), count_}; }
 
   void does_not_wait() { waits_ = false; }
+  void advance_alone() {
+    if (waits_) World::advance(asked());
+    waits_ = false;
+  }
 
 private:
   std::array<joint_law, std::tuple_size_v<std::remove_cvref_t<decltype(std::declval<const World&>().laws())>>>
