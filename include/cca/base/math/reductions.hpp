@@ -163,14 +163,15 @@ CCA_INLINE void write_column(const A& left, const B& right, Eigen::Index j, Resu
   }
 }
 
-// All columns. Flat: outside a beat g++ would call a function for each entry of a larger product.
+// All columns, written out.
 template <int Depth, class A, class B, class Result>
-[[gnu::flatten]] CCA_INLINE void write_product(const A& left, const B& right, Result& result) {
-  constexpr int rows = rows_of<Result>, columns = columns_of<Result>;
-  if constexpr (rows > 0 && rows < many && columns > 1 && columns < many && in_halves_too<rows, Depth>)
-    cca::detail::unrolled<columns>([&](auto j) { write_column<Depth>(left, right, j(), result); });
-  else
-    for (Eigen::Index j = 0; j < result.cols(); ++j) write_column<Depth>(left, right, j, result);
+CCA_INLINE void write_columns(const A& left, const B& right, Result& result) {
+  cca::detail::unrolled<columns_of<Result>>([&](auto j) { write_column<Depth>(left, right, j(), result); });
+}
+// The same of a larger product: outside a beat g++ would call a function for each entry.
+template <int Depth, class A, class B, class Result>
+[[gnu::flatten]] CCA_INLINE void write_many_columns(const A& left, const B& right, Result& result) {
+  write_columns<Depth>(left, right, result);
 }
 
 }  // namespace detail
@@ -226,7 +227,16 @@ CCA_INLINE auto product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B
   constexpr bool by_rows = rows == 1 && columns != 1;
   Eigen::Matrix<typename A::Scalar, rows, columns, by_rows ? Eigen::RowMajor : Eigen::ColMajor> result(
       a.rows(), b.cols());
-  detail::write_product<depth>(detail::stored(a.derived()), detail::stored(b.derived()), result);
+  const auto& left = detail::stored(a.derived());
+  const auto& right = detail::stored(b.derived());
+  if constexpr (rows > 0 && rows < detail::many && columns > 1 && columns < detail::many &&
+                detail::in_halves_too<rows, depth>) {
+    if constexpr (rows * columns * depth > detail::most_products)
+      detail::write_many_columns<depth>(left, right, result);
+    else detail::write_columns<depth>(left, right, result);
+  } else {
+    for (Eigen::Index j = 0; j < result.cols(); ++j) detail::write_column<depth>(left, right, j, result);
+  }
   return result;
 }
 
