@@ -55,7 +55,7 @@ private:
     turn_columns(vectors, p, q, c, s);
   }
 
-  // In lanes, and flat: at -O2 g++ would compute one number after the other.
+  // In lanes, of two columns: docs/compilers.md says why.
   CCA_INLINE static void turn_columns(matrix& of, int p, int q, double c, double s) {
     double *const one = of.data() + p * Size, *const other = of.data() + q * Size;
     math::detail::side_by_side<0, Size>([&]<class T>(int i, T) {
