@@ -163,6 +163,17 @@ CCA_INLINE void write_column(const A& left, const B& right, Eigen::Index j, Resu
   }
 }
 
+// All columns, written out.
+template <int Depth, class A, class B, class Result>
+CCA_INLINE void write_columns(const A& left, const B& right, Result& result) {
+  cca::detail::unrolled<columns_of<Result>>([&](auto j) { write_column<Depth>(left, right, j(), result); });
+}
+// The same of a larger product, with all calls inlined: docs/compilers.md says why.
+template <int Depth, class A, class B, class Result>
+[[gnu::flatten]] CCA_INLINE void write_many_columns(const A& left, const B& right, Result& result) {
+  write_columns<Depth>(left, right, result);
+}
+
 }  // namespace detail
 
 template <class M>
@@ -219,10 +230,13 @@ CCA_INLINE auto product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B
   const auto& left = detail::stored(a.derived());
   const auto& right = detail::stored(b.derived());
   if constexpr (rows > 0 && rows < detail::many && columns > 1 && columns < detail::many &&
-                detail::in_halves_too<rows, depth>)
-    cca::detail::unrolled<columns>([&](auto j) { detail::write_column<depth>(left, right, j(), result); });
-  else
+                detail::in_halves_too<rows, depth>) {
+    if constexpr (rows * columns * depth > detail::most_products)
+      detail::write_many_columns<depth>(left, right, result);
+    else detail::write_columns<depth>(left, right, result);
+  } else {
     for (Eigen::Index j = 0; j < result.cols(); ++j) detail::write_column<depth>(left, right, j, result);
+  }
   return result;
 }
 

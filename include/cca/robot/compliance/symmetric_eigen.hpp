@@ -9,9 +9,12 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 
 #include <cca/base/eigen.hpp>
+#include <cca/base/math/reductions.hpp>
 #include <cca/base/math/roots.hpp>
+#include <cca/base/unrolled.hpp>
 
 namespace cca::detail {
 
@@ -38,26 +41,29 @@ struct symmetric_eigen {
 
 private:
   // Makes a(p, q) zero.
-  void rotate(matrix& a, int p, int q) {
+  [[gnu::flatten]] void rotate(matrix& a, int p, int q) {
     if (a(p, q) == 0) return;
     const double tau = (a(q, q) - a(p, p)) / (2 * a(p, q));
     const double t = (tau < 0 ? -1 : 1) / (std::abs(tau) + math::sqrt(1 + tau * tau));
     const double c = 1 / math::sqrt(1 + t * t), s = t * c;
-    for (int i = 0; i < Size; ++i) {
-      const double left = a(i, p), right = a(i, q);
-      a(i, p) = c * left - s * right;
-      a(i, q) = s * left + c * right;
-    }
-    for (int i = 0; i < Size; ++i) {
-      const double upper = a(p, i), lower = a(q, i);
-      a(p, i) = c * upper - s * lower;
-      a(q, i) = s * upper + c * lower;
-    }
-    for (int i = 0; i < Size; ++i) {
-      const double left = vectors(i, p), right = vectors(i, q);
-      vectors(i, p) = c * left - s * right;
-      vectors(i, q) = s * left + c * right;
-    }
+    turn_columns(a, p, q, c, s);
+    unrolled<Size>([&](auto i) {
+      const double upper = a(p, i()), lower = a(q, i());
+      a(p, i()) = c * upper - s * lower;
+      a(q, i()) = s * upper + c * lower;
+    });
+    turn_columns(vectors, p, q, c, s);
+  }
+
+  // In lanes, of two columns: docs/compilers.md says why.
+  CCA_INLINE static void turn_columns(matrix& of, int p, int q, double c, double s) {
+    double *const one = of.data() + p * Size, *const other = of.data() + q * Size;
+    math::detail::side_by_side<0, Size>([&]<class T>(int i, T) {
+      const T left = math::detail::loaded<T>(one + i), right = math::detail::loaded<T>(other + i);
+      const T first = c * left - s * right, second = s * left + c * right;
+      std::memcpy(one + i, &first, sizeof first);
+      std::memcpy(other + i, &second, sizeof second);
+    });
   }
 };
 
