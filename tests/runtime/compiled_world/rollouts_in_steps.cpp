@@ -208,7 +208,7 @@ TEST_SUITE("rollouts in steps") {
     }
   }
 
-  TEST_CASE("a thread makes four at once, and no thread takes what another one could begin") {
+  TEST_CASE("a thread makes as many as share a vector, and no thread takes what another one could begin") {
     const auto most = [](std::size_t count, unsigned threads) {
       std::atomic<std::size_t> living = 0;
       std::size_t most_at_end = 0;
@@ -219,8 +219,10 @@ TEST_SUITE("rollouts in steps") {
       return most_at_end;
     };
     CHECK_EQ(most(1, 1), 1);
-    CHECK_EQ(most(3, 1), 3);
-    CHECK_EQ(most(23, 1), 4);
+    constexpr std::size_t at_once = sim::detail::runs_at_once<counted_run>;
+    static_assert(at_once == 2 || at_once == 4);
+    CHECK_EQ(most(3, 1), std::min<std::size_t>(3, at_once));
+    CHECK_EQ(most(23, 1), at_once);
     // Each of two runs goes on until both threads have one.
     struct waiting : counted_run {
       std::set<std::thread::id>* seen;
@@ -241,8 +243,8 @@ TEST_SUITE("rollouts in steps") {
     CHECK_EQ(seen.size(), 2);
     CHECK_EQ(sim::detail::places_of_thread<counted_run>(0, 2), 1);
     CHECK_EQ(sim::detail::places_of_thread<counted_run>(2, 2), 1);
-    CHECK_EQ(sim::detail::places_of_thread<counted_run>(5, 2), 3);
-    CHECK_EQ(sim::detail::places_of_thread<counted_run>(9, 2), 4);
+    CHECK_EQ(sim::detail::places_of_thread<counted_run>(5, 2), std::min<std::size_t>(3, at_once));
+    CHECK_EQ(sim::detail::places_of_thread<counted_run>(9, 2), at_once);
     CHECK_EQ(sim::detail::places_of_thread<path_run<in_engine>>(9, 2), 1);
   }
 

@@ -26,6 +26,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <cca/base/compiler.hpp>
 #include <cca/sim/compiled/compiled_world.hpp>
 #include <cca/sim/compiled/together/beat_in_lanes.hpp>
 #include <cca/sim/robot/world_named.hpp>
@@ -35,7 +36,7 @@ namespace cca::sim {
 template <class World>
 class side_by_side : public World {
 public:
-  static constexpr std::size_t at_once = 4;  // so many share a vector
+  static constexpr std::size_t at_once = cca::detail::lane_count;  // 2, with AVX2 4: so many share a vector
   using together = detail::beat_in_lanes<typename World::description, static_cast<int>(at_once)>;
 
   using World::World;
