@@ -50,7 +50,7 @@ private:
   Judge judge_;
 };
 
-// Controllers are copies of `start`, which is loaded and not started.
+// The controller is a copy of `start`, which is not started. It is loaded, or `begin` loads it.
 template <class Controller, class Begin, class Judge>
 auto run_of(const Controller& start, Begin begin, Judge judge) {
   return own_run<Controller, Begin, Judge>(start, std::move(begin), std::move(judge));

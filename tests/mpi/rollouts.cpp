@@ -39,8 +39,8 @@ struct kept {
 
 using arm = cca::robots::arm::description;
 
-// A run in steps: the arm falls under weak springs that follow the last reading, from where `best` of the
-// generation before says, for a number of beats of its own.
+// A run in steps: the arm falls under weak springs that follow the last reading. `best`, of the generation
+// before, says from where. Each run has another number of beats.
 struct falling {
   std::size_t number, left;
   cca::sim::side_by_side<cca::sim::compiled_world<arm>> w{};
@@ -168,20 +168,12 @@ private:
           for (const double value : one.path) say(value);
           best = std::min(std::max(best, one.path.at(2)), 2.0);
         }
-        bool each = all.is_first() ? told.size() == count : told.empty();
-        for (std::size_t i = 0; i < told.size(); ++i) each = each && told[i] == i + 1;
-        say(each ? "told of each on rank 0" : "not told of each");
+        say_whether_told_of_each(told, count);
       }
   }
 
-  // Run 3 fails first; run 1, which is under way then, fails later.
-  void steps_fail() {
-    const auto run = [](std::size_t i) {
-      return falling(i, 0, [i, beats = 0](std::size_t) mutable {
-        wait(i == 1 ? 30 : 2);
-        if (++beats == 15 && (i == 1 || i == 3)) throw std::runtime_error("run " + std::to_string(i));
-      });
-    };
+  template <class Run>
+  void say_failure_of(const Run& run) {
     for (int k = 0; k < 2; ++k) {
       all.rollouts(4, [](std::size_t i) { return i; });  // now all ranks are there
       try {
@@ -192,6 +184,22 @@ private:
       }
     }
     say(std::to_string(all.rollouts(3, [](std::size_t i) { return i; }).size()) + " results afterwards");
+  }
+  void say_whether_told_of_each(const std::vector<std::size_t>& told, std::size_t count) {
+    bool each = all.is_first() ? told.size() == count : told.empty();
+    for (std::size_t i = 0; i < told.size(); ++i) each = each && told[i] == i + 1;
+    say(each ? "told of each on rank 0" : "not told of each");
+  }
+
+  // Run 3 fails first; run 1, which is under way then, fails later.
+  void steps_fail() {
+    const auto run = [](std::size_t i) {
+      return falling(i, 0, [i, beats = 0](std::size_t) mutable {
+        wait(i == 1 ? 30 : 2);
+        if (++beats == 15 && (i == 1 || i == 3)) throw std::runtime_error("run " + std::to_string(i));
+      });
+    };
+    say_failure_of(run);
   }
 
   void steps_stop() {
@@ -223,9 +231,7 @@ private:
         say(one.name + (one.fell ? " fell" : ""));
         for (const double value : one.path) say(value);
       }
-      bool each = all.is_first() ? told.size() == count : told.empty();
-      for (std::size_t i = 0; i < told.size(); ++i) each = each && told[i] == i + 1;
-      say(each ? "told of each on rank 0" : "not told of each");
+      say_whether_told_of_each(told, count);
     }
     // More than a piece of a message.
     const auto large = all.rollouts(2, [](std::size_t i) {
@@ -262,16 +268,7 @@ private:
       if (i == 1) throw std::logic_error("run 1");
       return i;
     };
-    for (int k = 0; k < 2; ++k) {
-      all.rollouts(4, [](std::size_t i) { return i; });  // now all ranks are there
-      try {
-        all.rollouts(12, run, {.threads = 1});
-        say("nothing was thrown");
-      } catch (const cca::mpi::failed_run& e) {
-        say(e.what() + std::string(" of ") + std::to_string(e.number));
-      }
-    }
-    say(std::to_string(all.rollouts(3, [](std::size_t i) { return i; }).size()) + " results afterwards");
+    say_failure_of(run);
   }
 
   void stops() {

@@ -9,7 +9,7 @@
 // EXPECT copied_result: cca::sim::rollouts: the `result\(\)` of a run in steps returns what is to be kept of it: a value that can be moved
 // EXPECT nothing_kept: cca::sim::rollouts: the `result\(\)` of a run in steps returns what is to be kept of it: a value that can be moved
 // LINES: 25
-// What cca::sim::rollouts takes for a run, and what it says of others.
+// Which runs cca::sim::rollouts takes, and its messages for others.
 #include <cstddef>
 #include <memory>
 

@@ -17,21 +17,15 @@
 #include <cca/sim/compiled/robot.hpp>
 #include <cca/sim/rollouts.hpp>
 
+#include "waving.hpp"
+
 using namespace cca;
 
 namespace {
 
 namespace arm = robots::arm;
 
-struct waving {
-  double wide = 0.1;  // rad
-  auto process(beat now) -> out<"angles", arm::angles> {
-    const double way = wide * (1 - std::cos(6e-9 * static_cast<double>(now.time())));
-    arm::angles::vector_type q;
-    for (Eigen::Index i = 0; i < 7; ++i) q[i] = arm::description::start[static_cast<std::size_t>(i)] + way;
-    return q;
-  }
-};
+using rollouts_test::waving;
 struct waved : graph<node<"targets", waving>,
                      node<"limits", limiter<arm::angles>>,
                      node<"robot", sim::robot<arm::description, sim::compiled>>,

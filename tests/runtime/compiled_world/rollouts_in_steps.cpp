@@ -25,21 +25,15 @@
 #include <cca/sim/robot.hpp>
 #include <cca/sim/rollouts.hpp>
 
+#include "waving.hpp"
+
 using namespace cca;
 
 namespace {
 
 namespace arm = robots::arm;
 
-struct waving {
-  double wide = 0.1;  // rad
-  auto process(beat now) -> out<"angles", arm::angles> {
-    const double way = wide * (1 - std::cos(6e-9 * static_cast<double>(now.time())));
-    arm::angles::vector_type q;
-    for (Eigen::Index i = 0; i < 7; ++i) q[i] = arm::description::start[static_cast<std::size_t>(i)] + way;
-    return q;
-  }
-};
+using rollouts_test::waving;
 template <class World>
 struct waved : graph<node<"targets", waving>,
                      node<"limits", limiter<arm::angles>>,
@@ -85,7 +79,7 @@ struct kept {
   bool operator==(const kept&) const = default;
 };
 
-// Runs of unequal length; what is to happen in one of them besides.
+// Runs of unequal length. In one of them something may happen besides.
 struct plan {
   std::function<void(std::size_t run, std::size_t beat)> meanwhile = [](std::size_t, std::size_t) {};
   std::optional<std::size_t> in_trouble{}, was_in_trouble{};  // in its first beat; before it

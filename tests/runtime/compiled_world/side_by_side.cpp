@@ -20,7 +20,7 @@ namespace {
 using alone = sim::compiled_oncilla_world;
 using beside = sim::side_by_side<alone>;
 
-// Laws that tread, each world in a way of its own; now and then one that is not finite.
+// Each world treads in its own phase. Now and then a law is not finite.
 std::array<sim::joint_law, 16> laws_of(std::size_t which, int beat) {
   std::array<sim::joint_law, 16> all;
   const double phase = 0.02 * beat + 0.7 * static_cast<double>(which);

@@ -56,7 +56,7 @@ template <class Run> concept ReturnsRunInSteps =
     std::is_invocable_v<Run&, std::size_t> && RunInSteps<std::invoke_result_t<Run&, std::size_t>>;
 template <class Run> concept MakesRollouts = ReturnsValue<Run> && !ReturnsHalfRun<Run>;
 
-// Says what is wrong with a run.
+// A message for what can not be a run.
 template <class Run>
 constexpr void check_run() {
   if constexpr (ReturnsHalfRun<Run>)

@@ -275,7 +275,8 @@ private:
   // What is not of the steps.
   void end_beat() {
     detail::read_units<R>(state_, true, beat, settings_.engine.gravity);
-    if (around_.boxes.count > 0) state_.around.end_beat(around_, beat);
+    if constexpr (!detail::is_in_lanes<Real>)
+      if (around_.boxes.count > 0) state_.around.end_beat(around_, beat);
     ++state_.beats;
   }
   void put(const std::array<Real, n>& q,

@@ -22,6 +22,15 @@ template <class Real>
 constexpr Real dot(const triple<Real>& a, const triple<Real>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+// That of one lane, of a vector in lanes.
+template <class Real>
+constexpr triple<double> lane_of(const triple<Real>& v, int k) {
+  return {v[0][k], v[1][k], v[2][k]};
+}
+template <class Real>
+constexpr void set_lane(triple<Real>& v, int k, const triple<double>& of) {
+  for (std::size_t r = 0; r < 3; ++r) v[r].set(k, of[r]);
+}
 // A direction in the frame's own axes.
 template <class Real>
 constexpr triple<Real> along(const placed_frame<Real>& f, const triple<Real>& v) {

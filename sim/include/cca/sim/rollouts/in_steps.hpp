@@ -38,11 +38,21 @@ template <class Run> concept RunInSteps = requires(Run& run) {
   run.result();
 };
 
+namespace detail {
+
+// The beat that its world still waits for, if it does.
+template <class Run>
+void advance_alone(Run& run) {
+  if constexpr (requires { run.world().waits(); }) run.world().advance_alone();
+}
+
+}  // namespace detail
+
 // A whole run, for a caller that has only this one.
 template <RunInSteps Run>
 auto made(Run& run) {
-  while (run.step())
-    if constexpr (requires { run.world().waits(); }) advance_together(std::array{&run.world()});
+  while (run.step()) detail::advance_alone(run);
+  detail::advance_alone(run);
   return run.result();
 }
 
@@ -128,9 +138,7 @@ private:
         ++going;
         return true;
       }
-      if constexpr (goes_beside)
-        if (world* const last = &p.run->world(); last->waits())
-          advance_together(std::span<world* const>(&last, 1));
+      advance_alone(*p.run);
       keep(p.number, p.run->result());
     } catch (...) { failed(p.number); }
     p.run.reset();

@@ -9,8 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <stdexcept>
+#include <type_traits>
 
 #include <cca/base/math.hpp>
 #include <cca/sim/compiled/scalar.hpp>
@@ -225,9 +225,8 @@ ground_touch<Real> touch_in_lanes(const ground_in_lanes<Real>& g,
       all.depth.set(k, -1);
       continue;
     }
-    const ground_touch<double> one = touch(g.lane(k), triple<double>{at[0][k], at[1][k], at[2][k]});
-    all.depth.set(k, one.depth);
-    for (std::size_t r = 0; r < 3; ++r) all.normal[r].set(k, one.normal[r]);
+    const ground_touch<double> one = touch(g.lane(k), lane_of(at, k));
+    all.depth.set(k, one.depth), set_lane(all.normal, k, one.normal);
   }
   return all;
 }

@@ -102,7 +102,7 @@ bool is_edge_near(const ground& g, const triple<Real>& at, double reach) {
 template <class Real>
 bool is_edge_near(const ground_in_lanes<Real>& g, const triple<Real>& at, double reach) {
   for (int k = 0; k < Real::count; ++k)
-    if (is_edge_near(g.lane(k), triple<double>{at[0][k], at[1][k], at[2][k]}, reach)) return true;
+    if (is_edge_near(g.lane(k), lane_of(at, k), reach)) return true;
   return false;
 }
 
@@ -195,15 +195,13 @@ edge_touches<Real> touches_of_edges(const ground_in_lanes<Real>& g,
                                     const spanned_shape<Real, Spans>& s,
                                     double reach) {
   edge_touches<Real> found{};
-  const auto lane = [](const triple<Real>& v, int k) { return triple<double>{v[0][k], v[1][k], v[2][k]}; };
   for (int k = 0; k < Real::count; ++k) {
-    spanned_shape<double, Spans> one{lane(s.middle, k), {}, s.radius};
-    for (std::size_t j = 0; j < Spans; ++j) one.spans[j] = lane(s.spans[j], k);
+    spanned_shape<double, Spans> one{lane_of(s.middle, k), {}, s.radius};
+    for (std::size_t j = 0; j < Spans; ++j) one.spans[j] = lane_of(s.spans[j], k);
     const auto alone = touches_of_edges(g.lane(k), one, reach);
     for (std::size_t i = 0; i < found.size(); ++i) {
       found[i].depth.set(k, alone[i].depth);
-      for (std::size_t r = 0; r < 3; ++r)
-        found[i].normal[r].set(k, alone[i].normal[r]), found[i].at[r].set(k, alone[i].at[r]);
+      set_lane(found[i].normal, k, alone[i].normal), set_lane(found[i].at, k, alone[i].at);
     }
   }
   return found;

@@ -32,9 +32,7 @@ struct surroundings {
 template <class Real>
 struct surroundings_in_lanes {
   ground_in_lanes<Real> under{};
-  boxes_around boxes{};
-  balls_around balls{};
-  double friction = 0;
+  double friction = 0;  // as of the others; of shapes of one robot
 
   constexpr surroundings_in_lanes() = default;
   surroundings_in_lanes(const surroundings& all) : under(all.under), friction(all.friction) {}
@@ -94,11 +92,11 @@ struct motion_around {
       }
   }
   // Of balls; boxes follow the beat.
-  void drift(const auto& of, double time) {
+  void drift(const surroundings& of, double time) {
     for (std::size_t i = 0; i < of.balls.count; ++i) balls[i].drift(time);
   }
   // The first ball that can't be right.
-  world_trouble trouble(const auto& of, const plausible_bounds& bounds, double step) const {
+  world_trouble trouble(const surroundings& of, const plausible_bounds& bounds, double step) const {
     for (std::size_t i = 0; i < of.balls.count; ++i) {
       const auto& [at, velocity, turning] = balls[i];
       const auto& made = of.balls.all[i];
@@ -115,7 +113,7 @@ struct motion_around {
     }
     return {};
   }
-  void end_beat(const auto& of, double beat) {
+  void end_beat(const surroundings& of, double beat) {
     for (std::size_t i = 0; i < of.boxes.count; ++i) boxes[i].end_beat(beat);
   }
 };

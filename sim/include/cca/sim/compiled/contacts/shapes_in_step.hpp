@@ -38,8 +38,7 @@ struct shape_in_step {
   shape_in_step<double> lane(int k) const
     requires is_in_lanes<Real>
   {
-    const auto own = [k](const triple<Real>& v) { return triple<double>{v[0][k], v[1][k], v[2][k]}; };
-    return {shape, own(middle), {own(axes[0]), own(axes[1]), own(axes[2])}};
+    return {shape, lane_of(middle, k), {lane_of(axes[0], k), lane_of(axes[1], k), lane_of(axes[2], k)}};
   }
 };
 

@@ -3,9 +3,9 @@
 // Taken is what a beat depends on; given back, what it changes.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include <cca/sim/compiled/compiled_state.hpp>
 #include <cca/sim/compiled/lanes/lanes.hpp>
@@ -108,17 +108,16 @@ private:
       while (at < all.count && all.keys[at] != key) ++at;
       if (at == all.keys.size()) continue;
       if (at == all.count) ++all.count, all.keys[at] = key, all.impulses[at] = {};
-      for (std::size_t r = 0; r < 3; ++r) all.impulses[at][r].set(k, from.impulses.impulses[i][r]);
+      set_lane(all.impulses[at], k, from.impulses.impulses[i]);
     }
   }
   static void give_impulses(const many& from, int k, one& to) {
     auto& own = to.impulses;
     own.count = 0;
     for (std::size_t i = 0; i < from.impulses.count && own.count < own.keys.size(); ++i) {
-      std::array<double, 3> p;
-      for (std::size_t r = 0; r < 3; ++r) p[r] = from.impulses.impulses[i][r][k];
-      if (is_none(p)) continue;
-      own.keys[own.count] = from.impulses.keys[i], own.impulses[own.count++] = {p[0], p[1], p[2]};
+      const triple<double> p = lane_of(from.impulses.impulses[i], k);
+      if (p[0] == 0 && p[1] == 0 && p[2] == 0) continue;
+      own.keys[own.count] = from.impulses.keys[i], own.impulses[own.count++] = p;
     }
   }
 };
