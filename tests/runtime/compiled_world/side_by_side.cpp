@@ -2,6 +2,7 @@
 // pushes, frictions; when one falls out; in groups of any size.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +13,8 @@
 #include <cca/sim/compiled/together/side_by_side.hpp>
 #include <cca/sim/oncilla/compiled_oncilla.hpp>
 #include <cca/sim/uncertain/uncertainty.hpp>
+
+#include "robots.hpp"
 
 namespace sim = cca::sim;
 
@@ -122,6 +125,21 @@ int differences(const alone& a, const alone& b) {
   return differ;
 }
 
+// More balls under it than a world alone keeps contacts.
+struct bed_of_balls : compiled_test::sledge {
+  using shape = decltype(cca::robots::on_base(cca::robots::sphere(compiled_test::radius), cca::at(0, 0, 0)));
+  static constexpr std::array shapes = [] {
+    std::array<shape, 45> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto k = static_cast<double>(i);
+      all[i] = cca::robots::on_base(cca::robots::sphere(compiled_test::radius),
+                                    cca::at(0.05 * static_cast<double>(i % 9) - 0.2,
+                                            0.05 * static_cast<double>(i / 9) - 0.1, -0.05 - 1e-5 * k));
+    }
+    return all;
+  }();
+};
+
 struct pair {
   alone one;
   beside other;
@@ -193,6 +211,40 @@ TEST_SUITE("compiled world: side by side") {
     }
     for (std::size_t i = 0; i < 3; ++i) CHECK_EQ(differences(one[i], all[i]), 0);
     CHECK_NE(one[0].joints()[1].angle, one[2].joints()[1].angle);
+  }
+  TEST_CASE("one with more contacts than a world alone has room for has the bits that it has alone") {
+    using one = sim::compiled_world<bed_of_balls>;
+    sim::scene level;
+    level.floor = 0;
+    std::vector<one> plain(4, one(level));
+    std::vector<sim::side_by_side<one>> all(4, sim::side_by_side<one>(level));
+    std::vector<sim::side_by_side<one>*> worlds;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const std::array<double, 3> turns{i % 2 == 0 ? 0.0 : 3.0, 0.1 * static_cast<double>(i), 0.2};
+      plain[i].place({}, {}, cca::at(0, 0, 0.055), turns, {0.3, 0, 0});
+      all[i].place({}, {}, cca::at(0, 0, 0.055), turns, {0.3, 0, 0});
+      worlds.push_back(&all[i]);
+    }
+    std::size_t most = 0, differ = 0, crowded = 0;
+    for (int beat = 0; beat < 200; ++beat) {
+      for (std::size_t i = 0; i < plain.size(); ++i) plain[i].advance({}), all[i].advance({});
+      sim::advance_together(worlds);
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        const auto &a = plain[i].save(), &b = all[i].save();
+        sim::detail::each_number_of_motion(a.motion, b.motion, [&](double x, double y) { differ += x != y; });
+        most = std::max(most, a.impulses.count), crowded += a.impulses.count == 32;
+      }
+    }
+    CHECK_EQ(differ, 0);
+    CHECK_EQ(most, 32);
+    CHECK_LT(crowded, 780);  // in some beats a world has fewer
+  }
+  TEST_CASE("a world that gets a state back does not wait") {
+    beside a, b;
+    a.advance(laws_of(0, 0));
+    a.restore(b.save());
+    CHECK(!a.waits());
+    CHECK_EQ(differences(a, b), 0);
   }
   TEST_CASE("one that has no laws does not advance") {
     beside a, b;

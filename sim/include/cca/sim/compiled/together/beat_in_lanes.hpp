@@ -2,7 +2,8 @@
 //
 // Worlds go together if only their motion, the shape and the friction of their ground, their masses and their
 // drives differ. Each has then the bits of a beat alone; a world that can't be right any more is as it was
-// before the beat, with its own trouble, and the others go on.
+// before the beat, with its own trouble, and the others go on. One with more contacts than a world alone has
+// room for makes its beat alone: only there the deepest are chosen as they are for it.
 #pragma once
 
 #include <array>
@@ -53,14 +54,20 @@ public:
     const robot_world_settings& settings = all[0].of->settings_;
     step_in_world<R, real> steps{settings, around, built, state};
     std::array<world_trouble, static_cast<std::size_t>(N)> troubles{};
+    std::array<bool, static_cast<std::size_t>(N)> crowded{};
     steps.begin_beat();
     for (int i = 0; i < settings.steps_per_beat; ++i) {
       steps.make(i);
+      note_crowded(state, crowded);
       if (state.trouble) note(state, settings, steps.seconds(), troubles);
     }
     steps.end_beat();
     for (std::size_t k = 0; k < all.size(); ++k) {
       world& w = *all[k].of;
+      if (crowded[k]) {
+        w.advance(all[k].laws);
+        continue;
+      }
       if (troubles[k]) {
         w.state_.trouble = troubles[k];
         continue;
@@ -81,6 +88,18 @@ private:
     return is_law_of_position(takes ? l.laws[c] : l.of->state_.drives.laws[c]);
   }
 
+  // In which lanes a step has had more contacts than a world alone keeps, or may have lost one.
+  static void note_crowded(const typename convert::many& state,
+                           std::array<bool, static_cast<std::size_t>(N)>& crowded) {
+    const std::size_t found = state.impulses.count;
+    if (found <= convert::room_alone) return;
+    for (std::size_t k = 0; k < crowded.size(); ++k) {
+      double own = 0;
+      for (const contact_account& a : state.contacts.of_lane[k]) own += a.contacts;
+      if (own > static_cast<double>(convert::room_alone) || found == state.impulses.keys.size())
+        crowded[k] = true;
+    }
+  }
   // In some lane the world can't be right: in which ones, and why.
   static void note(typename convert::many& state,
                    const robot_world_settings& settings,

@@ -6,8 +6,10 @@
 //   cca::sim::advance_together(worlds);             an array of pointers to both: their beats of physics
 //
 // `advance(laws)` of such a world only keeps the laws: the world waits until it advances with others, so a
-// beat of its controller has no physics, and a fault comes a beat later: ask `trouble()` before. If it waits
-// already, it follows the laws that it has before it keeps others, so no beat is lost. Worlds that can't be
+// beat of its controller has no physics, and a fault comes a beat later: ask `trouble()` before. What you set
+// while it waits (a push, a place) counts in that beat: set it before the controller's beat, or after
+// `advance_alone()`, which makes the beat at once. If it waits already, `advance` makes that beat first, so
+// none is lost; but the controller has sensed before it. Worlds that can't be
 // lanes of one vector (beat_in_lanes.hpp says which can) advance one by one. Each world has the bits that it
 // has alone, whatever advances with it (without contraction: lanes.hpp).
 //
@@ -52,6 +54,12 @@ public:
   // Whether it has laws that it has not followed yet.
   bool waits() const { return waits_; }
   std::span<const joint_law> asked() const { return {asked_.data(), count_}; }
+
+  // What waits is not in a state that is saved; a world that gets one back does not wait.
+  void restore(const typename World::state_type& s) {
+    waits_ = false;
+    World::restore(s);
+  }
 
   void does_not_wait() { waits_ = false; }
   void advance_alone() {

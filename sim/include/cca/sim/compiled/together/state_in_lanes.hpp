@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <tuple>
 
 #include <cca/sim/compiled/compiled_state.hpp>
 #include <cca/sim/compiled/lanes/lanes.hpp>
@@ -41,6 +42,7 @@ struct state_in_lanes {
   using real = lanes<N>;
   using many = compiled_state<R, real>;
   using one = compiled_state<R, double>;
+  static constexpr std::size_t room_alone = std::tuple_size_v<decltype(one{}.impulses.keys)>;  // of contacts
 
   // `laws`: asked for in this beat. Lanes are taken in their order.
   static void take(many& to, int k, const one& from, std::span<const joint_law> laws) {
